@@ -24,6 +24,32 @@ pub enum DocumentParam {
     Nothing,
 }
 
+/// The meaning of texture coordinates.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum UvParam {
+    /// Metres of cloth.
+    #[default]
+    Metres,
+    /// Repeats of the bitmap.
+    Repeats,
+}
+
+/// A compression of the mesh.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum CompressionParam {
+    /// None: every program reads it.
+    #[default]
+    None,
+    /// `EXT_meshopt_compression`.
+    Meshopt,
+}
+
+fn is_default<T: Default + PartialEq>(value: &T) -> bool {
+    *value == T::default()
+}
+
 /// Parameters of `export-gltf`.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
@@ -39,6 +65,14 @@ pub struct ExportGltfParams {
     pub thickness: bool,
     /// Adds lines: seams, darts and free edges.
     pub lines: bool,
+    /// Texture coordinates: `metres` of cloth, which viewers repeat by KHR_texture_transform, or `repeats` of the bitmap, for
+    /// viewers without that extension.
+    #[serde(skip_serializing_if = "is_default")]
+    pub uv: UvParam,
+    /// `none`, or `meshopt`: vertices and triangles are packed by EXT_meshopt_compression, for the web. Places are rounded
+    /// to 0.03 mm. This program does not read such a file; `document = "nothing"` makes it smaller still.
+    #[serde(skip_serializing_if = "is_default")]
+    pub compression: CompressionParam,
     /// Meaning of the colours: `cloth`, or a map of `export-picture`, as colours of the vertices.
     pub colours: ColoursParam,
 }
@@ -51,6 +85,8 @@ impl Default for ExportGltfParams {
             body: false,
             thickness: false,
             lines: false,
+            uv: UvParam::Metres,
+            compression: CompressionParam::None,
             colours: ColoursParam::Cloth,
         }
     }
@@ -86,6 +122,8 @@ impl Stage for ExportGltf {
             body: params.body,
             thickness: params.thickness,
             lines: params.lines,
+            repeats: params.uv == UvParam::Repeats,
+            squeezed: params.compression == CompressionParam::Meshopt,
             field: field.as_ref(),
         };
         let glb = gltf::write_garment_with(&garment, &wishes).map_err(failure)?;

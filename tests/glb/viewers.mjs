@@ -31,8 +31,9 @@ const DRAWN = `
 const THREE_PAGE = (file) => `
   import * as THREE from "three";
   import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
+  import { MeshoptDecoder } from "three/addons/libs/meshopt_decoder.module.js";
   ${DRAWN}
-  new GLTFLoader().load("${file}", ({ scene }) => {
+  new GLTFLoader().setMeshoptDecoder(MeshoptDecoder).load("${file}", ({ scene }) => {
     const renderer = new THREE.WebGLRenderer({ alpha: true, preserveDrawingBuffer: true });
     renderer.setSize(300, 400);
     const box = new THREE.Box3().setFromObject(scene), size = box.getSize(new THREE.Vector3());
@@ -46,7 +47,8 @@ const THREE_PAGE = (file) => `
   }, undefined, (problem) => tell("error: " + problem));`;
 
 const ELEMENT_PAGE = (file) => `
-  import "/npm/@google/model-viewer/dist/model-viewer.min.js";
+  import { ModelViewerElement } from "/npm/@google/model-viewer/dist/model-viewer.min.js";
+  ModelViewerElement.meshoptDecoderLocation = "/npm/meshoptimizer/meshopt_decoder.cjs";
   ${DRAWN}
   const view = document.createElement("model-viewer");
   view.style = "width:300px;height:400px";

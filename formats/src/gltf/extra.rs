@@ -28,6 +28,7 @@ pub fn body(root: &mut json::Root, buffer: &mut Buffer, garment: &Garment) -> Re
         triangles: &body.triangles,
         texture: None,
         material: None,
+        repeats: false,
     };
     let attributes = surface.attributes(root, buffer, &named)?;
     let indices = buffer.indices(root, &body.triangles, body.positions.len());
@@ -69,6 +70,7 @@ pub fn wrong_side(
         triangles: &faces,
         texture: texture.as_ref(),
         material: right.material,
+        repeats: right.repeats,
     };
     let attributes = shell.attributes(root, buffer, piece)?;
     let indices = buffer.indices(root, &faces, points.len());

@@ -1,6 +1,6 @@
 //! The meshes of a GLB in world coordinates.
 
-use super::{ReadError, check, container};
+use super::{ReadError, check, container, squeeze};
 use gltf_json as json;
 use std::collections::BTreeMap;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -33,6 +33,11 @@ pub struct Placed {
 pub fn open(bytes: &[u8]) -> Result<Sound<'_>, ReadError> {
     let chunks = container::split(bytes)?;
     let root: json::Root = serde_json::from_slice(chunks.json).map_err(|e| ReadError::Damaged(e.to_string()))?;
+    if root.extensions_required.iter().any(|e| e == squeeze::EXTENSION) {
+        let message = "its vertices are packed (EXT_meshopt_compression), which this program writes and does not read; \
+                       use the GLB without `compression`, or unpack it with another program";
+        return Err(ReadError::Geometry(message.to_owned()));
+    }
     check::check(&root, chunks.bin)?;
     let document =
         guarded(|| gltf::Document::from_json(root).map_err(|e| ReadError::Damaged(one_line(&e.to_string()))))?;

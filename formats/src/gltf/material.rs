@@ -14,19 +14,19 @@ const TRANSFORM: &str = "KHR_texture_transform";
 /// Name of the extension for the light of fibres.
 const SHEEN: &str = "KHR_materials_sheen";
 
-/// Adds a fabric to the document.
-pub fn push(root: &mut json::Root, buffer: &mut Buffer, material: &Material) {
+/// Adds a fabric to the document. Where coordinates are in metres, bitmaps are repeated by an extension.
+pub fn push(root: &mut json::Root, buffer: &mut Buffer, material: &Material, in_metres: bool) {
     let texture = material.image.as_ref().map(|i| texture(root, buffer, i, &material.name));
     let factor = |x: f64| if x.is_finite() { x.clamp(0.0, 1.0) as f32 } else { 1.0 };
     let [r, g, b] = material.color.map(factor);
     let pbr = json::material::PbrMetallicRoughness {
         base_color_factor: json::material::PbrBaseColorFactor([r, g, b, 1.0]),
-        base_color_texture: texture.map(|index| info(root, index, material.repeat)),
+        base_color_texture: texture.map(|index| info(root, index, material.repeat, in_metres)),
         metallic_factor: json::material::StrengthFactor(0.0),
         roughness_factor: json::material::StrengthFactor(factor(material.roughness)),
         ..Default::default()
     };
-    let normal = material.normal.as_ref().map(|image| normal(root, buffer, image, material));
+    let normal = material.normal.as_ref().map(|image| normal(root, buffer, image, material, in_metres));
     let extensions = material.sheen.map(|sheen| {
         uses(root, SHEEN);
         let value =
@@ -73,11 +73,19 @@ fn texture(root: &mut json::Root, buffer: &mut Buffer, image: &Image, name: &str
 }
 
 /// TEXCOORD_0 is in metres of cloth: one repeat is one turn of the texture.
-fn scale(repeat: [f64; 2]) -> [f32; 2] {
+pub fn scale(repeat: [f64; 2]) -> [f32; 2] {
     repeat.map(|m| if m.is_finite() { (1.0 / m.max(MIN_REPEAT)) as f32 } else { 1.0 })
 }
 
-fn info(root: &mut json::Root, index: json::Index<json::Texture>, repeat: [f64; 2]) -> json::texture::Info {
+fn info(
+    root: &mut json::Root,
+    index: json::Index<json::Texture>,
+    repeat: [f64; 2],
+    in_metres: bool,
+) -> json::texture::Info {
+    if !in_metres {
+        return json::texture::Info { index, tex_coord: 0, extensions: None, extras: None };
+    }
     uses(root, TRANSFORM);
     let transform = TextureTransform {
         scale: TextureTransformScale(scale(repeat)),
@@ -98,8 +106,12 @@ fn normal(
     buffer: &mut Buffer,
     image: &Image,
     material: &Material,
+    in_metres: bool,
 ) -> json::material::NormalTexture {
     let index = texture(root, buffer, image, &format!("{} normals", material.name));
+    if !in_metres {
+        return json::material::NormalTexture { index, scale: 1.0, tex_coord: 0, extensions: None, extras: None };
+    }
     uses(root, TRANSFORM);
     let others = [(TRANSFORM.to_owned(), json!({ "scale": scale(material.repeat), "texCoord": 0 }))];
     json::material::NormalTexture {

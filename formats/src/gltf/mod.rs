@@ -15,6 +15,7 @@ mod motion;
 mod moving;
 mod pack;
 mod read;
+mod squeeze;
 mod surface;
 #[cfg(test)]
 mod tests;

@@ -209,7 +209,12 @@ fn vertices_of(garment: &Garment, i: usize, piece: &Piece, placed: &[Placed]) ->
         (Some(uv), Some(cloth)) => {
             let stored = garment.drape.as_ref().or(garment.stitched.as_ref()).and_then(|s| s.positions.get(i));
             let stored = stored.map_or(&[][..], Vec::as_slice);
-            by_cloth(&found.positions, uv, cloth, stored).map_err(fail)
+            let in_metres = by_cloth(&found.positions, uv, cloth, stored);
+            let repeat = repeat_of(garment, i).filter(|_| in_metres.is_err());
+            // The file may count in repeats of the bitmap.
+            let scaled = |[u, v]: [f64; 2]| uv.iter().map(|p| [p[0] * u, p[1] * v]).collect::<Vec<_>>();
+            let again = repeat.and_then(|r| by_cloth(&found.positions, &scaled(r), cloth, stored).ok());
+            again.map_or(in_metres, Ok).map_err(fail)
         }
         _ => Err(fail(format!(
             "the file has {} vertices in another order, the document {}, and there are no texture coordinates to match \
@@ -218,6 +223,13 @@ fn vertices_of(garment: &Garment, i: usize, piece: &Piece, placed: &[Placed]) ->
             mesh.rest.len()
         ))),
     }
+}
+
+/// The repeat of the bitmap of a piece, metres.
+fn repeat_of(garment: &Garment, piece: usize) -> Option<[f64; 2]> {
+    let textures = garment.textures.as_ref()?;
+    let material = textures.materials.get(textures.pieces.get(piece)?.material as usize)?;
+    (material.image.is_some() || material.normal.is_some()).then_some(material.repeat)
 }
 
 /// The mesh of a piece: by node name, else by mesh name, else by the name in the extras.

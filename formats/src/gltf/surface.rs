@@ -1,5 +1,6 @@
 //! The vertices of a surface as attributes: places, normals, texture coordinates and the frame of a normal map.
 
+use super::material;
 use super::write::{Buffer, WriteError, floats};
 use gltf_json as json;
 use json::accessor::Type;
@@ -24,6 +25,8 @@ pub struct Surface<'a> {
     pub texture: Option<&'a PieceTexture>,
     /// Material of the surface.
     pub material: Option<&'a Material>,
+    /// Are texture coordinates in repeats of the bitmap, and not in metres?
+    pub repeats: bool,
 }
 
 impl Surface<'_> {
@@ -48,7 +51,11 @@ impl Surface<'_> {
             return Err(WriteError::Damaged(message));
         }
         // glTF counts v downwards from the top of the image.
-        let cloth = floats(piece, "the texture coordinate", texture.uv_cloth.iter().map(|[u, v]| [*u, -v]))?;
+        let repeat =
+            self.material.filter(|m| self.repeats && (m.image.is_some() || m.normal.is_some())).map(|m| m.repeat);
+        let [along, up] = repeat.map_or([1.0; 2], |r| material::scale(r).map(f64::from));
+        let cloth = texture.uv_cloth.iter().map(|[u, v]| [u * along, -v * up]);
+        let cloth = floats(piece, "the texture coordinate", cloth)?;
         out.insert(Valid(Semantic::TexCoords(0)), buffer.floats(root, &cloth, Type::Vec2, false));
         let packed = floats(piece, "the packed coordinate", texture.uv_packed.iter().map(|[u, v]| [*u, 1.0 - v]))?;
         out.insert(Valid(Semantic::TexCoords(1)), buffer.shares(root, &packed, Type::Vec2));

@@ -4,7 +4,7 @@ use crate::picture::{Field, Scale};
 use crate::sample::two_pieces;
 use serde_json::Value;
 use toile_garment::texture::{Colourway, Sheen};
-use toile_garment::{Garment, Report, Vec3, bundle};
+use toile_garment::{Garment, Report, Vec2, Vec3, bundle};
 
 /// The chunks as JSON and bytes.
 fn open_glb(glb: &[u8]) -> (Value, Vec<u8>) {
@@ -95,6 +95,65 @@ fn nodes_positions_and_cloth_coordinates() {
     assert_eq!(json["extensionsUsed"][0], "KHR_texture_transform");
     assert_eq!(json["materials"][0]["doubleSided"], true);
     assert_eq!(json["images"][0]["mimeType"], "image/png");
+}
+
+/// Viewers without the extension repeat the bitmap, too, and such a file is read back.
+#[test]
+fn coordinates_in_repeats_need_no_extension() {
+    let garment = two_pieces();
+    let wishes = Wishes { repeats: true, ..Wishes::default() };
+    let glb = write_garment_with(&garment, &wishes).expect("GLB");
+    let (json, bin) = open_glb(&glb);
+    assert!(!json.to_string().contains("KHR_texture_transform"), "{json}");
+    let textures = garment.textures.as_ref().expect("textures");
+    let (_, uv) = floats(&json, &bin, attribute(&json, 0, "TEXCOORD_0"));
+    for (got, [u, v]) in uv.chunks_exact(2).zip(&textures.pieces[0].uv_cloth) {
+        assert!((f64::from(got[0]) - u / 0.06).abs() < 1e-5 && (f64::from(got[1]) + v / 0.04).abs() < 1e-5);
+    }
+    assert!(!read_garment_with_findings(&glb).expect("read").edited);
+}
+
+#[test]
+fn cloth_without_a_texture_has_coordinates_and_a_material() {
+    let garment = Garment { textures: None, ..two_pieces() };
+    let (json, bin) = open_glb(&write_garment(&garment).expect("GLB"));
+    assert_eq!(json["meshes"][0]["primitives"][0]["material"], 0);
+    let rest = &garment.pieces[0].mesh.as_ref().expect("mesh").rest;
+    let (_, uv) = floats(&json, &bin, attribute(&json, 0, "TEXCOORD_0"));
+    // The warp is upright, and v counts downwards.
+    let [a, b] = [0, 1].map(|k| Vec2::new(f64::from(uv[2 * k]), -f64::from(uv[2 * k + 1])));
+    assert!(((b - a).norm() - (rest[1] - rest[0]).norm()).abs() < 1e-6, "metres");
+    assert!(attribute(&json, 1, "TEXCOORD_1") > 0);
+}
+
+/// The views that are packed lie in a buffer of their own, and this program says why it does not read them.
+#[test]
+fn a_packed_file_is_smaller_and_is_refused_in_words() {
+    let garment = two_pieces();
+    let wishes = Wishes { squeezed: true, document: Carried::Nothing, ..Wishes::default() };
+    let glb = write_garment_with(&garment, &wishes).expect("GLB");
+    let (json, bin) = open_glb(&glb);
+    let name = "EXT_meshopt_compression";
+    assert_eq!(
+        (&json["extensionsRequired"][0], &json["buffers"][1]["extensions"][name]["fallback"]),
+        (&name.into(), &true.into())
+    );
+    assert_eq!(json["buffers"][0]["byteLength"].as_u64().expect("length").next_multiple_of(4), bin.len() as u64);
+    let mut end = 0;
+    for view in json["bufferViews"].as_array().expect("views") {
+        let packed = &view["extensions"][name];
+        let own = if packed.is_null() { view } else { packed };
+        let [offset, length] = ["byteOffset", "byteLength"].map(|k| own[k].as_u64().expect("number"));
+        assert!(offset >= end && offset % 4 == 0 && offset + length <= bin.len() as u64, "{view}");
+        end = offset + length;
+        if !packed.is_null() {
+            let size = packed["count"].as_u64().zip(packed["byteStride"].as_u64()).map(|(n, s)| n * s);
+            assert_eq!((size, &view["buffer"]), (view["byteLength"].as_u64(), &1.into()), "{view}");
+        }
+    }
+    assert_eq!(glb, write_garment_with(&garment, &wishes).expect("GLB"));
+    let told = read_garment(&glb).expect_err("packed").to_string();
+    assert!(told.contains(name), "{told}");
 }
 
 /// Which zero `min` and `max` give is the processor's choice, and the text tells them apart.

@@ -12,14 +12,14 @@ const VARIANTS: &str = "KHR_materials_variants";
 const OWN: &str = "as sewn";
 
 /// Adds the materials of all colourways after those of the garment, and the names of the variants.
-pub fn push(root: &mut json::Root, buffer: &mut Buffer, textures: &Textures) {
+pub fn push(root: &mut json::Root, buffer: &mut Buffer, textures: &Textures, in_metres: bool) {
     if textures.colourways.is_empty() {
         return;
     }
     for colourway in &textures.colourways {
         for (material, color) in textures.materials.iter().zip(&colourway.colors) {
             let name = format!("{} {}", material.name, colourway.name);
-            material::push(root, buffer, &Material { name, color: *color, ..material.clone() });
+            material::push(root, buffer, &Material { name, color: *color, ..material.clone() }, in_metres);
         }
     }
     material::uses(root, VARIANTS);

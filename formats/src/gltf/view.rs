@@ -33,7 +33,7 @@ pub fn write_view(garment: &Garment, pieces: &[ViewPiece]) -> Result<Vec<u8>, Wr
     let meshes = meshes(garment, shape)?;
     let (mut root, mut buffer) = (json::Root::default(), Buffer::default());
     for m in &materials(garment) {
-        material::push(&mut root, &mut buffer, m);
+        material::push(&mut root, &mut buffer, m, true);
     }
     let smooth = normals::smooth(&meshes);
     let nothing = ViewPiece::default();

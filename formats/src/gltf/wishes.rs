@@ -25,6 +25,10 @@ pub struct Wishes<'f> {
     pub thickness: bool,
     /// A node `seams` with lines: seams, darts and free edges.
     pub lines: bool,
+    /// Texture coordinates in repeats of the bitmap, for viewers without `KHR_texture_transform`.
+    pub repeats: bool,
+    /// Vertices and triangles packed after `EXT_meshopt_compression`.
+    pub squeezed: bool,
     /// A quantity as colours of the vertices, instead of the cloth.
     pub field: Option<&'f Field>,
 }

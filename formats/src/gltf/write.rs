@@ -2,7 +2,7 @@
 
 use super::surface::Surface;
 use super::wishes::Wishes;
-use super::{container, document, extra, material, motion, variants};
+use super::{container, document, extra, material, motion, squeeze, variants};
 use crate::normals;
 use crate::picture::{Field, linear};
 use gltf_json as json;
@@ -13,7 +13,7 @@ use json::validation::USize64;
 use toile_garment::bundle::BundleError;
 use toile_garment::garment::Shape;
 use toile_garment::texture::{Material, PieceTexture};
-use toile_garment::{Garment, Piece, Vec3};
+use toile_garment::{Garment, Piece, Vec2, Vec3};
 
 /// Why a garment cannot be written as GLB.
 #[derive(Debug, thiserror::Error)]
@@ -215,14 +215,14 @@ pub fn write_garment_with(garment: &Garment, wishes: &Wishes<'_>) -> Result<Vec<
         if [&m.image, &m.normal].into_iter().flatten().any(|i| i.bytes.is_empty()) {
             return Err(WriteError::Damaged(format!("the image of material `{}` has no bytes", m.name)));
         }
-        material::push(&mut root, &mut buffer, m);
+        material::push(&mut root, &mut buffer, m, !wishes.repeats);
     }
     match (wishes.field, &garment.textures) {
         // The fabrics stay in the file, so that it can be read again.
         (Some(field), _) => {
             extra::plain(&mut root, field.name, [1.0; 3]);
         }
-        (None, Some(textures)) => variants::push(&mut root, &mut buffer, textures),
+        (None, Some(textures)) => variants::push(&mut root, &mut buffer, textures, !wishes.repeats),
         (None, None) => {}
     }
     for ((piece, mesh), normals) in garment.pieces.iter().zip(&meshes).zip(&normals) {
@@ -240,10 +240,11 @@ pub fn write_garment_with(garment: &Garment, wishes: &Wishes<'_>) -> Result<Vec<
         extensions: None,
         extras: None,
     });
+    let bytes = if wishes.squeezed { squeeze::squeeze(&mut root, &buffer.bytes)? } else { buffer.bytes };
     root.asset.generator = Some("toile".to_owned());
     root.asset.extras = document::extras(garment, wishes.document)?.and_then(|document| extras("toile", &document));
     let text = toile_garment::text::json(&root.to_string()?);
-    container::join(text.as_bytes(), &buffer.bytes).ok_or(WriteError::TooLarge)
+    container::join(text.as_bytes(), &bytes).ok_or(WriteError::TooLarge)
 }
 
 /// Adds what is wished beside the pieces.
@@ -261,7 +262,10 @@ fn beside(
             let texture = garment.textures.as_ref().and_then(|t| t.pieces.get(k));
             let (positions, triangles) = meshes[k];
             let material = material_of(garment, texture);
-            let right = Surface { positions, normals: &normals[k], triangles, texture, material };
+            let plain = texture.is_none().then(|| untextured(piece));
+            let texture = texture.or(plain.as_ref());
+            let right =
+                Surface { positions, normals: &normals[k], triangles, texture, material, repeats: wishes.repeats };
             extra::wrong_side(root, buffer, piece, &right, fabric.thickness)?;
         }
     }
@@ -345,7 +349,9 @@ fn push_piece(
 ) -> Result<(), WriteError> {
     let texture = garment.textures.as_ref().and_then(|t| t.pieces.get(piece.id.index()));
     let own = material_of(garment, texture).filter(|_| wishes.field.is_none());
-    let surface = Surface { positions, normals, triangles, texture, material: own };
+    let plain = texture.is_none().then(|| untextured(piece));
+    let texture = texture.or(plain.as_ref());
+    let surface = Surface { positions, normals, triangles, texture, material: own, repeats: wishes.repeats };
     let mut attributes = surface.attributes(root, buffer, piece)?;
     if let Some(field) = wishes.field {
         let colours = colours(root, buffer, piece, positions.len(), field);
@@ -381,6 +387,19 @@ fn push_piece(
         ..Default::default()
     });
     Ok(())
+}
+
+/// The texture coordinates of a piece without a texture: metres of cloth, weft and warp, and its own box.
+fn untextured(piece: &Piece) -> PieceTexture {
+    let rest = piece.mesh.as_ref().map_or(&[][..], |m| m.rest.as_slice());
+    let warp = piece.warp();
+    let cloth: Vec<[f64; 2]> = rest.iter().map(|p| [p.x * warp.y - p.y * warp.x, p.dot(&warp)]).collect();
+    let far = Vec2::repeat(f64::INFINITY);
+    let ends = |(low, high): (Vec2, Vec2), p: &[f64; 2]| (low.inf(&Vec2::from(*p)), high.sup(&Vec2::from(*p)));
+    let (low, high) = cloth.iter().fold((far, -far), ends);
+    let size = (high - low).max().max(1e-9);
+    let packed = cloth.iter().map(|[u, v]| [(u - low.x) / size, (v - low.y) / size]).collect();
+    PieceTexture { material: 0, uv_cloth: cloth, uv_packed: packed }
 }
 
 /// The material of a piece, if the garment has one for it.
