@@ -133,6 +133,9 @@ fn check<'r>(
     };
     tuning.extend(request.repeats.map(|n| (Meaning::Repeats, n.to_string())));
     pipeline::tune(&mut document, registry, &tuning);
+    if let Some(study) = accuracy::study_beside(request) {
+        pipeline::offer(&mut document, registry, Meaning::Study, &study);
+    }
     let mut pipeline = pipeline::link(&document, registry, &mut report);
     pipeline.beside = accuracy::looked_for(&document, request);
     overruled::tell(&pipeline, &tuning, request, &mut report);

@@ -114,6 +114,12 @@ fn the_page_shows_the_garment_and_what_is_picked() {
         says(&saw, "/fromTable/name", "seam:");
         assert_eq!((&saw["fromTable"]["marked"], &saw["fromDrawing"]), (&json!(1), &json!("piece:0")));
         assert_eq!((&saw["key"], &saw["nameless"]), (&json!("left"), &json!(0)));
+        // A notch has one label in the table, the drawing and the view, and is found by a click on its place.
+        assert_eq!((&saw["notch"]["row"], &saw["notch"]["drawing"]), (&json!("FRONT.n1"), &json!("n1")), "{saw}");
+        assert_eq!((&saw["notch"]["spot"], &saw["notch"]["tags"][0]), (&json!(true), &json!("n1")), "{saw}");
+        assert_eq!(saw["notch"]["clicked"], saw["notch"]["name"], "{saw}");
+        says(&saw, "/notch/words", "notch FRONT.n1: ");
+        says(&saw, "/notch/sewn", ", sewn to BACK.n");
     }
     // Paper shows the tables that are open, and axe looks at all of them.
     assert!(browser.sheets() <= 4);
@@ -248,7 +254,8 @@ fn the_page_changes_colours_and_plays_the_motion() {
     let share = |what: &str| number(&saw, &format!("/{what}/share"));
     assert!((share("begin") - share("end")).abs() > 0.01, "{saw}");
     says(&saw, "/end/words", " s");
-    assert_eq!(saw["played"], json!(true), "{saw}");
+    // At 30 frames a second: 0, 100 and 150 ms after the start, and at the end, where it waits to be played again.
+    assert_eq!((&saw["played"], &saw["waits"]), (&json!([0, 3, 4.5, 11]), &json!(true)), "{saw}");
 }
 
 /// The page of a proposal shows the pieces on the body, and makes lines for the sewing file of edges that are clicked.

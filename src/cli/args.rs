@@ -10,6 +10,7 @@ use crate::engine::{CacheOptions, Limits};
 use crate::load::Request;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
+use toile_formats::report::Language;
 use toile_stages::import_dxf::FileUnit;
 
 /// The virtual trial garment: DXF patterns sewn and draped in 3D, and flattened back to 2D.
@@ -324,6 +325,29 @@ pub struct DiffArgs {
     /// How the differences are printed.
     #[arg(long, value_enum, default_value = "text")]
     pub format: DiffFormat,
+    /// Language of the page: en or zh.
+    #[arg(long, value_enum, default_value = "en", hide_possible_values = true)]
+    pub language: PageLanguage,
+}
+
+/// Languages of pages.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum PageLanguage {
+    /// English.
+    #[default]
+    En,
+    /// Chinese, in simplified letters.
+    Zh,
+}
+
+impl PageLanguage {
+    /// The language of the catalogue.
+    pub fn language(self) -> Language {
+        match self {
+            Self::En => Language::English,
+            Self::Zh => Language::Chinese,
+        }
+    }
 }
 
 /// Forms of the differences.
@@ -408,6 +432,9 @@ pub struct StudyArgs {
     /// Run every combination, not only a ladder of meshes with departures from it.
     #[arg(long)]
     pub full: bool,
+    /// Language of the page: en or zh.
+    #[arg(long, value_enum, default_value = "en", hide_possible_values = true)]
+    pub language: PageLanguage,
     /// Threads [default: all cores, or TOILE_THREADS]; results never depend on it.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub threads: Option<u16>,
@@ -434,6 +461,9 @@ pub struct CompareArgs {
     /// Methods: toile, springs, paper, penalty, provot, explicit-triangles, implicit, sewn-only [default: all but penalty]
     #[arg(long, value_name = "WORD,…", value_delimiter = ',')]
     pub methods: Vec<String>,
+    /// Language of the page: en or zh.
+    #[arg(long, value_enum, default_value = "en", hide_possible_values = true)]
+    pub language: PageLanguage,
     /// Replace an earlier comparison.
     #[arg(long)]
     pub force: bool,
@@ -486,6 +516,9 @@ pub struct NewArgs {
     /// Propose from the shapes alone, as if the pieces had no names.
     #[arg(long)]
     pub anonymous: bool,
+    /// Language of the page: en or zh.
+    #[arg(long, value_enum, default_value = "en", hide_possible_values = true)]
+    pub language: PageLanguage,
     /// For programs: print the proposal.
     #[arg(long)]
     pub json: bool,

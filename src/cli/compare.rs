@@ -43,7 +43,7 @@ fn work(
     // A method that fails its certificate is a result here, and the table tells it.
     let (request, voice) = (args.pipeline.request(), Voice::Silent);
     let bench = Bench { request, out: out.clone(), threads, force: true, voice, stop };
-    let quiet = args.quiet;
+    let (quiet, language) = (args.quiet, args.language.language());
     let mut say = |what: &str| {
         if !quiet {
             console.say(&format!("compare {what}\n"));
@@ -62,7 +62,7 @@ fn work(
         };
         let json = toile_garment::text::json(&serde_json::to_string_pretty(&comparison).unwrap_or_default()) + "\n";
         said = if args.json { json.clone() } else { table::text(&comparison) };
-        write_files(&out, &FILES, &[json, page::html(&comparison, shown), table::markdown(&comparison)])
+        write_files(&out, &FILES, &[json, page::html(&comparison, shown, language), table::markdown(&comparison)])
     };
     compare(&bench, &methods, registry, Listener { say: &mut say, keep: &mut keep })?;
     tell(&said, &out, &FILES, console);

@@ -59,7 +59,7 @@ fn lines(args: &DiffArgs, tolerance: &Tolerance, console: &mut Console<'_>) -> R
     match args.format {
         DiffFormat::Text => console.result(&crate::render::safe(&diff::lines_text(sides, &jobs, tolerance))),
         DiffFormat::Json => console.json(&diff::lines_json(sides, &jobs, tolerance)),
-        DiffFormat::Html => console.result(&diff::lines_html(sides, &jobs, tolerance)),
+        DiffFormat::Html => console.result(&diff::lines_html(sides, &jobs, tolerance, args.language.language())),
     }
     Ok(jobs.iter().any(|j| j.is_over(tolerance)))
 }
@@ -71,7 +71,7 @@ fn results(args: &DiffArgs, tolerance: &Tolerance, console: &mut Console<'_>) ->
     match args.format {
         DiffFormat::Text => console.result(&crate::render::safe(&diff::text(&a, &b, &changes, tolerance))),
         DiffFormat::Json => console.json(&diff::to_json(&a, &b, &changes, tolerance)),
-        DiffFormat::Html => console.result(&diff::html(&a, &b, &changes, tolerance)),
+        DiffFormat::Html => console.result(&diff::html([&a, &b], &changes, tolerance, args.language.language())),
     }
     Ok(changes.iter().any(|c| tolerance.is_over(c)))
 }

@@ -47,6 +47,7 @@ pub(super) fn run(args: &NewArgs, console: &mut Console<'_>) -> Exit {
         fabric,
         earlier: earlier.as_ref(),
         is_anonymous: args.anonymous,
+        language: args.language.language(),
     };
     let spinner = Spinner::start(format!("searching for seams between {} pieces", source.garment.pieces.len()));
     let made = from_pattern(&order);

@@ -14,8 +14,10 @@ use crate::study::{Axes, Bench, Ran, Setting, Study, chart, finest, page, pictur
 use serde::de::DeserializeOwned;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
+use toile_formats::report::Language;
+use toile_formats::report::accuracy::Origin;
 use toile_garment::Diagnostic;
-use toile_stage_api::Registry;
+use toile_stage_api::{Knob, Registry};
 
 /// Names of the results.
 const FILES: [&str; 4] = ["study.json", "study.svg", "study.html", "study.md"];
@@ -57,13 +59,17 @@ fn study(args: &StudyArgs, registry: &mut Registry, stop: &Arc<Stop>, console: &
     runs.carried(registry, args.quiet, console)?;
     let head = Head { pipeline: chain.name, threads, wanted_mm: wanted, left_out: runs.left_out };
     let pictures = pictures::of_presets(&runs.ran);
-    let Some(study) = report(head, runs.ran) else {
+    let varied = |stage: &str| registry.get(stage).map_or_else(Vec::new, |s| keys(s.knobs()));
+    let of = finest(&runs.ran).and_then(|k| runs.ran[k].garment.as_ref());
+    let made_of = of.map(|garment| Origin::of(garment, varied)).unwrap_or_default();
+    let Some(mut study) = report(head, runs.ran) else {
         let message = "no setting gave a drape; nothing can be compared".to_owned();
         let finding =
             Diagnostic::error(codes::STUDY_EMPTY, message).hint("`toile run` with the same pipeline says why");
         return Err(Halt { findings: vec![finding], source: None, exit: Exit::Unstable });
     };
-    write(&study, &pictures, &out)?;
+    study.shown = Some(chart::accuracy(&study, made_of));
+    write(&study, &pictures, &out, args.language.language())?;
     let said = if args.json { json(&study) } else { table::text(&study) };
     tell(&said, &out, &FILES, console);
     Ok(Exit::Good)
@@ -162,6 +168,12 @@ impl Runs<'_> {
     }
 }
 
+/// All keys of knobs, and of parameters that they replace.
+fn keys(knobs: &[Knob]) -> Vec<String> {
+    let own = |k: &Knob| [Some(k.key.to_string()), k.instead_of.as_ref().map(ToString::to_string)];
+    knobs.iter().flat_map(own).flatten().collect()
+}
+
 fn axes(args: &StudyArgs) -> Result<Axes, Diagnostic> {
     let own = Axes::default();
     let edges: Result<Vec<f64>, Diagnostic> = args.edges.iter().map(|t| length(t, "--edges")).collect();
@@ -198,7 +210,8 @@ fn json(study: &Study) -> String {
     toile_garment::text::json(&serde_json::to_string_pretty(study).unwrap_or_default()) + "\n"
 }
 
-fn write(study: &Study, pictures: &[String], out: &Path) -> Result<(), Halt> {
-    let texts = [json(study), chart::svg(study), page::html(study, pictures), table::markdown(study)];
+fn write(study: &Study, pictures: &[String], out: &Path, language: Language) -> Result<(), Halt> {
+    let page = page::html(study, pictures, language);
+    let texts = [json(study), chart::svg(study, language), page, table::markdown(study)];
     write_files(out, &FILES, &texts)
 }

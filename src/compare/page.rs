@@ -7,6 +7,7 @@ use crate::render;
 use crate::study::pictures::coloured;
 use std::fmt::Write as _;
 use toile_formats::picture::View;
+use toile_formats::report::Language;
 use toile_formats::svg::canvas::escape;
 
 const STYLE: &str = "\
@@ -22,7 +23,7 @@ const SIZE: [u32; 2] = [360, 540];
 
 /// The page.
 #[must_use]
-pub fn html(comparison: &Comparison, shown: &[Shown]) -> String {
+pub fn html(comparison: &Comparison, shown: &[Shown], language: Language) -> String {
     let title = escape(&title(comparison));
     let mut out = format!(
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
@@ -45,7 +46,7 @@ pub fn html(comparison: &Comparison, shown: &[Shown]) -> String {
     let apart = shown.iter().filter_map(|s| Some((s.garment.as_ref()?, s.distances.clone()?, escape(&s.row.name))));
     let apart = coloured(&apart.collect::<Vec<_>>()).concat();
     let _ = writeln!(out, "<h2>Distance from the reference</h2>\n<div class=\"pictures\">\n{apart}</div>");
-    out + "</body>\n</html>\n"
+    language.page(&(out + "</body>\n</html>\n"))
 }
 
 fn caption(row: &Row) -> String {

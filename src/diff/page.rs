@@ -7,6 +7,7 @@ use super::tolerance::Tolerance;
 use crate::figure::{figure, one_view, png_figure};
 use std::fmt::Write as _;
 use toile_formats::picture::View;
+use toile_formats::report::Language;
 use toile_formats::svg::canvas::escape;
 
 const STYLE: &str = "\
@@ -29,7 +30,7 @@ fn head(a: &str, b: &str) -> String {
 
 /// The page of two results.
 #[must_use]
-pub fn html(a: &Side, b: &Side, changes: &[Change], tolerance: &Tolerance) -> String {
+pub fn html([a, b]: [&Side; 2], changes: &[Change], tolerance: &Tolerance, language: Language) -> String {
     let mut out = head(&a.name, &b.name) + "<div class=\"pictures\">\n";
     for view in [View::Front, View::Back] {
         for side in [a, b] {
@@ -44,7 +45,7 @@ pub fn html(a: &Side, b: &Side, changes: &[Change], tolerance: &Tolerance) -> St
     let line =
         |c: &Change| Line { group: c.group, what: c.what.clone(), words: c.words(), is_over: tolerance.is_over(c) };
     tables(&mut out, &changes.iter().map(line).collect::<Vec<_>>());
-    out + "</body>\n</html>\n"
+    language.page(&(out + "</body>\n</html>\n"))
 }
 
 /// A table for each group of lines.
@@ -62,7 +63,7 @@ fn tables(out: &mut String, lines: &[Line]) {
 
 /// The page of two versions of a line: what differs over all jobs, then the jobs with their pictures side by side.
 #[must_use]
-pub fn lines_html(sides: [&LineSide; 2], jobs: &[JobDiff], tolerance: &Tolerance) -> String {
+pub fn lines_html(sides: [&LineSide; 2], jobs: &[JobDiff], tolerance: &Tolerance, language: Language) -> String {
     let [a, b] = sides.map(LineSide::name);
     let mut out = head(&a, &b);
     let shown = shown(sides, jobs, tolerance);
@@ -83,5 +84,5 @@ pub fn lines_html(sides: [&LineSide; 2], jobs: &[JobDiff], tolerance: &Tolerance
         }
         out.push_str("</div>\n");
     }
-    out + "</body>\n</html>\n"
+    language.page(&(out + "</body>\n</html>\n"))
 }

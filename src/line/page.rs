@@ -4,14 +4,32 @@ use super::results::{Results, Row};
 use crate::junit::{Case, End};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
+use toile_formats::report::Language;
 use toile_formats::svg::canvas::escape;
 
 const STYLE: &str = include_str!("page/style.css");
 const SCRIPT: &str = include_str!("page/script.js");
 
+/// Words of the script.
+const SCRIPT_WORDS: [&str; 13] = [
+    "verdict",
+    "all",
+    "passed",
+    "failed",
+    "figure",
+    "rows",
+    "columns",
+    "Tables",
+    "{0} of {1} jobs",
+    "style",
+    "size",
+    "fabric",
+    "body",
+];
+
 /// The page. Pictures and reports are linked, so it stays small.
 #[must_use]
-pub fn html(results: &Results) -> String {
+pub fn html(results: &Results, language: Language) -> String {
     let title = escape(&results.line);
     let counts = results.counts();
     let counts: Vec<String> = counts.iter().map(|(status, count)| format!("{count} {}", escape(status))).collect();
@@ -35,9 +53,10 @@ pub fn html(results: &Results) -> String {
     let _ = write!(
         out,
         "</section>\n<section id=\"tables\"></section>\n\
-         <script type=\"application/json\" id=\"data\">{data}</script>\n<script>{SCRIPT}</script>\n</body>\n</html>\n"
+         <script type=\"application/json\" id=\"data\">{data}</script>\n<script>const WORDS = {};</script>\n<script>{SCRIPT}</script>\n</body>\n</html>\n",
+        language.script_words(&SCRIPT_WORDS)
     );
-    out
+    language.page(&out)
 }
 
 /// Jobs that failed come first; the worst of them before the rest.
@@ -56,7 +75,7 @@ fn card(out: &mut String, row: &Row) {
     // Writing to a String cannot fail.
     let _ = write!(
         out,
-        "<article class=\"{state}\" data-job=\"{job}\"><a href=\"{page}\">{}<h2>{job}</h2></a>\n<p class=\"verdict\">{}</p>",
+        "<article class=\"{state}\" data-job=\"{job}\"><a href=\"{page}\">{}<h2 translate=\"no\">{job}</h2></a>\n<p class=\"verdict\">{}</p>",
         picture(row, &folder),
         escape(if row.has_passed() { "passed" } else { &row.status })
     );
@@ -173,12 +192,20 @@ mod tests {
 
     #[test]
     fn what_failed_comes_first_and_names_are_escaped() {
-        let page = html(&results());
+        let page = html(&results(), Language::English);
         let at = |text: &str| page.find(text).expect(text);
         assert!(at("data-job=\"skirt_38\"") < at("data-job=\"skirt_36\""));
         assert!(page.contains("`a` &lt; 1 &amp; &quot;b&quot;"));
         assert!(page.contains("<td>hip_girth.drape.tape</td><td>1030 mm</td>"));
         assert!(!page.contains("src=\"http") && !page.contains("href=\"http"), "no outside resource");
+    }
+
+    #[test]
+    fn the_page_speaks_chinese() {
+        let page = html(&results(), Language::Chinese);
+        for words in ["2 个任务", "\"verdict\":\"结论\"", "<p class=\"verdict\">合格</p>", "检验未通过"] {
+            assert!(page.contains(words), "{words}: {page}");
+        }
     }
 
     #[test]

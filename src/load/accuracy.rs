@@ -42,6 +42,12 @@ pub(super) fn looked_for(document: &Document<'_>, request: &Request) -> Vec<Path
     name.map(PathBuf::from).into_iter().collect()
 }
 
+/// Name of the study that lies beside the pipeline, which a report shows. None where settings are tried out.
+pub(super) fn study_beside(request: &Request) -> Option<String> {
+    let file = request.file.with_extension("study.json");
+    (request.tuning.is_empty() && file.is_file()).then(|| name_of(&file))
+}
+
 fn choose(
     text: &str,
     document: &Document<'_>,

@@ -31,6 +31,7 @@ pub use stock::{Body, Fabric};
 use stock::Opened;
 
 use serde_json::Value;
+use toile_formats::report::Language;
 use toile_garment::{Diagnostic, Piece};
 use toile_stages::proposal::{Known, Nameless, Names, Proposal, RoleNames, own_images, propose};
 use toile_stages::roles::{Role, roles_of_names};
@@ -50,6 +51,8 @@ pub struct Order<'a> {
     pub earlier: Option<&'a Earlier>,
     /// Are the names of the pieces left out of account?
     pub is_anonymous: bool,
+    /// Language of the page.
+    pub language: Language,
 }
 
 /// A folder that was put together, and what is open in it.
@@ -178,7 +181,10 @@ pub fn from_pattern(order: &Order<'_>) -> Result<New, Vec<Diagnostic>> {
     folder.add("pipeline.toml", pipeline::text(source, &own, &order.fabric).into_bytes());
     let json = serde_json::to_string_pretty(&document).unwrap_or_default();
     folder.replace("proposal.json", format!("{}\n", toile_garment::text::json(&json)).into_bytes());
-    folder.replace("start.html", page::page(source, &proposal, &dressed, body.model.as_ref()).into_bytes());
+    folder.replace(
+        "start.html",
+        page::page(source, &proposal, &dressed, body.model.as_ref(), order.language).into_bytes(),
+    );
     // A first sewing file comes last: where it lies, the folder is complete, and what it says are decisions.
     if order.earlier.is_none() {
         folder.add("sewing.toml", sewing::text(source, &proposal).into_bytes());

@@ -26,4 +26,4 @@ pub use params::refused_value;
 pub use plugins::{Plugin, ProgramContent};
 pub use schema_walk::{FileRole, SchemaTree};
 pub use text::{MAX_BYTES, SourceText};
-pub use tune::{Tuning, cut_behind_drape, knob, tune, turned_by};
+pub use tune::{Tuning, cut_behind_drape, knob, offer, tune, turned_by};

@@ -26,6 +26,21 @@ pub fn tune<'a>(document: &mut Document<'a>, registry: &Registry, tuning: &'a Tu
     }
 }
 
+/// Writes a value into the stages that have a knob for it and say nothing themselves.
+pub fn offer(document: &mut Document<'_>, registry: &Registry, meaning: Meaning, value: &str) {
+    for entry in &mut document.stages {
+        let knobs = registry.get(entry.name.get_ref()).map_or(&[][..], |s| s.knobs());
+        let Some(knob) = knob(knobs, meaning) else { continue };
+        let span = entry.with.span();
+        let table = entry.with.get_mut();
+        if !table.contains_key(knob.key.as_ref()) {
+            let here = |value| Spanned::new(span.clone(), value);
+            let key = Spanned::new(span.clone(), Cow::Owned(knob.key.to_string()));
+            table.insert(key, here(DeValue::String(Cow::Owned(value.to_owned()))));
+        }
+    }
+}
+
 /// Name and key of the first stage that has a knob of this meaning: the one to tell of where a chain has none.
 #[must_use]
 pub fn turned_by(registry: &Registry, meaning: Meaning) -> (String, String) {
@@ -103,6 +118,20 @@ mod tests {
         let by_edge = Some(["16 mm".into(), null.clone()]);
         assert_eq!(meshed("triangles = 2200", &["triangulate.edge_length=16 mm"]), by_edge);
         assert_eq!(meshed("edge_length = \"16 mm\"", &["triangulate.triangles=300"]), Some([null, 300.into()]));
+    }
+
+    #[test]
+    fn what_is_offered_is_taken_where_the_pipeline_says_nothing() {
+        let text = "toile = 1\n[pipeline]\nline = \"test\"\nversion = 1\n[[stage]]\nuse = \"export-report\"\n\
+                    [[stage]]\nuse = \"export-report\"\nwith.study = \"own.json\"\n[[stage]]\nuse = \"drape\"\n";
+        let source = SourceText::new("p.toml", text, Vec::new());
+        let mut report = Report::default();
+        let mut document = parse(&source, &mut report).expect("a pipeline");
+        let registry = toile_stages::builtin();
+        offer(&mut document, &registry, Meaning::Study, "p.study.json");
+        let pipeline = link(&document, &registry, &mut report);
+        let studies: Vec<_> = pipeline.steps.iter().map(|s| s.ready.params()["study"].clone()).collect();
+        assert_eq!(studies, ["p.study.json".into(), "own.json".into(), serde_json::Value::Null]);
     }
 
     #[test]

@@ -5,6 +5,7 @@ use super::report::Study;
 use super::table::{HEADS, cells, words};
 use crate::render;
 use std::fmt::Write as _;
+use toile_formats::report::Language;
 use toile_formats::svg::canvas::escape;
 
 const STYLE: &str = "\
@@ -18,7 +19,7 @@ tr.front td:first-child{font-weight:bold}tr.chosen{background:#fbeeea}.sub{color
 
 /// The page. `pictures` are figures of drapes, HTML.
 #[must_use]
-pub fn html(study: &Study, pictures: &[String]) -> String {
+pub fn html(study: &Study, pictures: &[String], language: Language) -> String {
     let title = escape(&study.pipeline);
     let mut out = format!(
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
@@ -28,7 +29,7 @@ pub fn html(study: &Study, pictures: &[String]) -> String {
         escape(&study.toile),
         study.threads
     );
-    out.push_str(&chart::svg(study));
+    out.push_str(&chart::svg(study, language));
     for sentence in words(study) {
         // Writing to a String cannot fail.
         let _ = writeln!(out, "<p>{}</p>", render::html(&sentence));
@@ -42,7 +43,7 @@ pub fn html(study: &Study, pictures: &[String]) -> String {
     }
     table(&mut out, study);
     out.push_str("</body>\n</html>\n");
-    out
+    language.page(&out)
 }
 
 fn table(out: &mut String, study: &Study) {

@@ -7,6 +7,7 @@ use super::measure::{Error, Lengths, difference, distance, lengths, levels, near
 use super::presets::Preset;
 use super::runs::{Done, Ran};
 use serde::{Deserialize, Serialize};
+use toile_formats::report::accuracy::Accuracy;
 use toile_garment::Garment;
 use toile_garment::garment::{Certificate, Rests};
 use toile_stages::fit::Surface;
@@ -84,6 +85,9 @@ pub struct Study {
     /// Settings that gave the drape of another one to the last bit, each with that one.
     #[serde(default)]
     pub repeated: Vec<[String; 2]>,
+    /// What a page shows of it, and the garment that it is of.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub shown: Option<Accuracy>,
 }
 
 /// Head of a study.
@@ -142,6 +146,7 @@ pub fn report(head: Head, ran: Vec<Ran>) -> Option<Study> {
         recommended: None,
         left_out: head.left_out,
         repeated,
+        shown: None,
     };
     study.judge();
     Some(study)
@@ -409,6 +414,7 @@ pub(super) mod tests {
             recommended: None,
             left_out: Vec::new(),
             repeated: Vec::new(),
+            shown: None,
         };
         study.judge();
         study

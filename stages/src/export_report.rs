@@ -5,9 +5,10 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::path::PathBuf;
 use toile_formats::measures::{self, PointOfMeasure};
+use toile_formats::report::accuracy::Accuracy;
 use toile_formats::report::{self, Language, Point};
 use toile_garment::{Aspect, Code, Diagnostic, Garment};
-use toile_stage_api::{Cost, Forecast, Stage, StageContext, StageError, StageInfo};
+use toile_stage_api::{Cost, Forecast, Knob, Meaning, Stage, StageContext, StageError, StageInfo};
 
 codes! {
     pub(crate) list CODES;
@@ -17,6 +18,10 @@ codes! {
 
     /// A point of measure is further off than its tolerance. Change the pattern, or the length that is expected.
     MEASURE_OFF = "measure-off";
+
+    /// A study lies beside the pipeline, or is named, and is not of this garment as it is now: a file, a parameter or the
+    /// program has changed. So the page shows no chart of it. Make it anew with `toile study`, or take it away.
+    STUDY_NOT_SHOWN = "study-not-shown";
 }
 
 /// Parameters of `export-report`.
@@ -39,6 +44,11 @@ pub struct ExportReportParams {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(extend("format" = "input-file"))]
     pub measures: Option<PathBuf>,
+    /// The study of the garment, as `toile study` wrote it: the page shows its chart. Without it `NAME.study.json` beside
+    /// the pipeline `NAME.toml` is taken, where there is one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("format" = "input-file"))]
+    pub study: Option<PathBuf>,
     /// Language of page and drawing: `en` (English) or `zh` (Chinese). Names stay as they are. Findings are told in
     /// both: what one means in Chinese, its figures in English.
     pub language: LanguageParam,
@@ -68,7 +78,7 @@ impl Default for ExportReportParams {
     fn default() -> Self {
         let [json, svg, csv, html] =
             ["report.json", "report.svg", "measures.csv", "report.html"].map(|name| format!("{{out}}/{name}").into());
-        Self { json, svg, csv, html, measures: None, language: LanguageParam::En }
+        Self { json, svg, csv, html, measures: None, study: None, language: LanguageParam::En }
     }
 }
 
@@ -84,6 +94,7 @@ impl Stage for ExportReport {
         &[],
         2,
     );
+    const KNOBS: &'static [Knob] = &[Knob::new(Meaning::Study, "study")];
 
     fn forecast(
         &self,
@@ -92,6 +103,7 @@ impl Stage for ExportReport {
         cx: &mut StageContext<'_>,
     ) -> Result<Option<Cost>, StageError> {
         asked(params, cx)?;
+        params.study.iter().try_for_each(|file| cx.files.read(file).map(drop))?;
         let body = forecast.body_thousands();
         let cost = forecast.by_triangles(0.6 + 0.024 * body, 0.03, 4.0);
         // The page holds the body a few times on its way: as surface, as bytes and as text.
@@ -101,6 +113,7 @@ impl Stage for ExportReport {
     fn run(&self, params: &Self::Params, garment: Garment, cx: &mut StageContext<'_>) -> Result<Garment, StageError> {
         let mut fit = fit::measure(&garment);
         fit.points = points(params, &garment, cx)?;
+        fit.accuracy = accuracy(params, &garment, cx)?;
         let findings = cx.report.findings.clone();
         let given = |path: &PathBuf| !path.as_os_str().is_empty();
         if given(&params.json) {
@@ -128,6 +141,27 @@ fn asked(params: &ExportReportParams, cx: &mut StageContext<'_>) -> Result<Vec<P
     let Some(file) = &params.measures else { return Ok(Vec::new()) };
     let bytes = cx.files.read(file)?;
     measures::read(&String::from_utf8_lossy(&bytes), &file.to_string_lossy()).map_err(StageError::Input)
+}
+
+/// The study that is to be shown, where it is of this garment.
+fn accuracy(
+    params: &ExportReportParams,
+    garment: &Garment,
+    cx: &mut StageContext<'_>,
+) -> Result<Option<Accuracy>, StageError> {
+    let Some(file) = params.study.as_ref().filter(|_| garment.certificate.is_some()) else { return Ok(None) };
+    let bytes = cx.files.read(file)?;
+    let study = Accuracy::read(&String::from_utf8_lossy(&bytes));
+    let why = match study {
+        Err(why) => why,
+        Ok(study) => match study.made_of.changed(garment) {
+            None => return Ok(Some(study)),
+            Some(why) => why,
+        },
+    };
+    let message = format!("the study `{}` is not shown: {why}", file.display());
+    cx.report.push(Diagnostic::info(STUDY_NOT_SHOWN, message).hint("make it anew with `toile study`, or take it away"));
+    Ok(None)
 }
 
 /// All points of measure; those that cannot be taken, or are off, become findings.

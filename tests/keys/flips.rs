@@ -171,8 +171,10 @@ pub const STAGES: &[Flip] = &[
     row("pattern", "export-gltf.colours", "\"strain-warp\""),
     row("pattern", "export-gltf.document", "\"plain\""),
     row("pattern", "export-gltf.file", "\"{out}/other.glb\""),
+    row("pattern", "export-gltf.compression", "\"meshopt\""),
     row("pattern", "export-gltf.lines", "true"),
     row("pattern", "export-gltf.thickness", "true"),
+    given("pattern", &[IMAGE], "export-gltf.uv", "\"repeats\""),
     row("pattern", "export-obj.file", "\"{out}/other.obj\""),
     row("pattern", "export-obj.reactions", "\"{out}/forces.json\""),
     row("pattern", "export-obj.up", "\"z\""),
@@ -232,6 +234,7 @@ pub const STAGES: &[Flip] = &[
     row("shown", "export-report.language", "\"zh\""),
     row("shown", "export-report.html", "\"{out}/other.html\""),
     row("shown", "export-report.measures", "\"absent.toml\""),
+    row("shown", "export-report.study", "\"absent.json\""),
     row("shown", "export-report.json", "\"{out}/other.json\""),
     row("shown", "export-report.svg", "\"{out}/other.svg\""),
 ];

@@ -109,3 +109,47 @@ fn what_the_study_varies_is_not_held() {
     assert!(said.code == 2 && said.err.contains("study-held"), "{said:?}");
     assert_eq!(study(&dir.path().join("study"), &["--edges", "12"]).code, 2, "a bare number");
 }
+
+/// The page of a run shows the study beside its pipeline, while that is of this very garment.
+#[test]
+fn the_page_shows_the_study_of_its_garment_alone() {
+    let dir = tempfile::tempdir().expect("folder");
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let (file, out) = (dir.path().join("v1.toml"), dir.path().join("study"));
+    let text = std::fs::read_to_string(pipeline()).expect("pipeline");
+    let samples = root.join("samples").to_string_lossy().into_owned();
+    std::fs::write(&file, text.replace("../../samples", &samples)).expect("pipeline");
+    let told = |verb: &str, more: &[&str]| {
+        let own: [OsString; 4] = [verb.into(), file.clone().into(), "--allow-read".into(), root.into()];
+        command(own.into_iter().chain(more.iter().map(OsString::from)).collect())
+    };
+    let out_text = out.to_string_lossy().into_owned();
+    let few = "--edges=60mm,52mm,45mm --accuracies=normal --models=coupled --integrators=static --self-contact=auto \
+               --starts=0 --language=zh";
+    let said = told("study", &[&["--out", &out_text], few.split(' ').collect::<Vec<_>>().as_slice()].concat());
+    assert_eq!(said.code, 0, "{said:?}");
+    let page = std::fs::read_to_string(out.join("study.html")).expect("page");
+    assert!(
+        page.contains("精度与代价")
+            && page.contains("<html lang=\"zh-Hans\">")
+            && !page.contains("what accuracy costs")
+    );
+    std::fs::copy(out.join("study.json"), dir.path().join("v1.study.json")).expect("study");
+    let run = |more: &[&str]| {
+        let run = dir.path().join("run").to_string_lossy().into_owned();
+        let said = told("run", &[&["--out", &run, "--force", "--quiet"], more].concat());
+        assert!(said.code < 2, "{said:?}");
+        let text = |name: &str| std::fs::read_to_string(dir.path().join("run").join(name)).expect(name);
+        (text("report.html"), text("run.json"))
+    };
+    let (page, record) = run(&["--set", "triangulate.edge_length=52 mm"]);
+    assert!(
+        page.contains("<figure class=\"chart\">") && page.contains("This garment was draped as 52mm-normal: error")
+    );
+    assert!(!record.contains("study-not-shown") && record.contains("v1.study.json"));
+    // Another mesh is no setting of the study, and another size another garment.
+    let (page, _) = run(&["--set", "triangulate.edge_length=58 mm"]);
+    assert!(page.contains("The setting of this garment is none of the study."));
+    let (page, record) = run(&["--set", "triangulate.edge_length=52 mm", "--set", "size=40"]);
+    assert!(record.contains("study-not-shown") && !page.contains("<figure class=\"chart\">"));
+}

@@ -120,6 +120,9 @@ pub struct Check {
     /// Where: the name of an edge, a seam, a dart or another piece.
     #[serde(default, skip_serializing_if = "String::is_empty")]
     pub place: String,
+    /// The notch, as `FRONT.n3`; empty where it is about none.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub notch: String,
     /// How far along the edge or seam, metres.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub along: Option<f64>,
@@ -141,6 +144,7 @@ impl Check {
     #[must_use]
     pub fn words(&self) -> String {
         let (place, mm) = (&self.place, 1e3 * self.value);
+        let notch = if self.notch.is_empty() { "a notch".to_owned() } else { format!("notch `{}`", self.notch) };
         let (size, degrees) = (mm.abs(), self.value.to_degrees());
         let at = self.along.map(|s| format!(", {:.0} mm from its start", 1e3 * s)).unwrap_or_default();
         match self.kind {
@@ -149,8 +153,8 @@ impl Check {
             CheckKind::Seam => format!("seam `{place}` {size:.2} mm off its partner{at}"),
             CheckKind::DartIntake => format!("intake of dart `{place}` {mm:+.2} mm"),
             CheckKind::DartLegs => format!("legs of dart `{place}` differ by {size:.2} mm"),
-            CheckKind::Notch => format!("a notch on {place} moved by {mm:+.2} mm{at}"),
-            CheckKind::NotchPartner => format!("a notch of seam `{place}` {size:.2} mm off its partner{at}"),
+            CheckKind::Notch => format!("{notch} on {place} moved by {mm:+.2} mm{at}"),
+            CheckKind::NotchPartner => format!("{notch} of seam `{place}` {size:.2} mm off its partner{at}"),
             CheckKind::Corner => format!("{place} turned by {degrees:+.2}°"),
             CheckKind::Bow => format!("{place}, once straight, bows by {size:.2} mm"),
             CheckKind::Symmetry if place.is_empty() => format!("{size:.2} mm off its own mirror image"),

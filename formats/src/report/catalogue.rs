@@ -86,8 +86,8 @@ pub const CATALOGUE: &[(&str, &str)] = &[
         "高度 {height} mm 处的截面，俯视。布料总长 {length} mm。",
     ),
     (
-        "Click a piece, a seam or a dart, here, in the drawing or in a table.",
-        "点击裁片、缝线或省道：在此处、纸样图或表格中均可。",
+        "Click a piece, a seam, a dart or a notch, here, in the drawing or in a table.",
+        "点击裁片、缝线、省道或剪口：在此处、纸样图或表格中均可。",
     ),
     ("show the place", "显示位置"),
     ("strain along warp", "经向应变"),
@@ -125,8 +125,8 @@ pub const CATALOGUE: &[(&str, &str)] = &[
     ("Remedy", "处理办法"),
     // Drawings and tables.
     (
-        "Pieces with the numbers of their edges. A click picks a piece, a seam or a dart.",
-        "裁片及其边的编号。点击可选中裁片、缝线或省道。",
+        "Pieces with the numbers of their edges and notches. A click picks a piece, a seam, a dart or a notch.",
+        "裁片及其边和剪口的编号。点击可选中裁片、缝线、省道或剪口。",
     ),
     ("Measures and ease", "尺寸与放松量"),
     (
@@ -321,6 +321,63 @@ pub const CATALOGUE: &[(&str, &str)] = &[
     ("switched off", "按要求关闭"),
     ("id", "编号"),
     ("blake3", "blake3 校验"),
+    // Notches.
+    ("Notches", "剪口"),
+    (
+        "Numbers count along the sewn line, from the start of the first edge, counter-clockwise on the drawing.",
+        "编号从第一条边的起点沿净线计数，在图上为逆时针方向。",
+    ),
+    ("from its start mm", "距起点 mm"),
+    ("meets", "对应剪口"),
+    ("on no edge", "不在边上"),
+    ("notch {0}", "剪口 {0}"),
+    ("notch {0}: {1}, {2} mm from its start", "剪口 {0}：{1}，距起点 {2} mm"),
+    (", sewn to {0}", "，与 {0} 缝合"),
+    // What accuracy costs.
+    ("What accuracy costs", "精度与代价"),
+    (
+        "Error: the largest difference in hem heights, girths and surface from the limit of fine meshes, as the study of \
+         this garment states it.",
+        "误差：下摆高度、围度和表面与细网格极限的最大差值，由本服装的精度研究给出。",
+    ),
+    ("setting", "设置"),
+    ("memory MB", "内存 MB"),
+    ("error mm", "误差 mm"),
+    ("remarks", "备注"),
+    ("this garment", "本服装"),
+    ("recommended", "推荐"),
+    ("the finest", "最细"),
+    ("on the front", "在前沿上"),
+    (
+        "This garment was draped as `{0}`: error {1} mm, {2} CPU seconds.",
+        "本服装按 `{0}` 模拟：误差 {1} mm，CPU {2} 秒。",
+    ),
+    ("The setting of this garment is none of the study.", "本服装的设置不在研究之列。"),
+    (
+        "Recommended for {0} mm: `{1}`, error {2} mm, {3} CPU seconds.",
+        "要求 {0} mm 时推荐 `{1}`：误差 {2} mm，CPU {3} 秒。",
+    ),
+    ("None of these settings reaches {0} mm.", "没有设置能达到 {0} mm。"),
+    ("error against time and against memory", "误差与时间、误差与内存"),
+    ("{0}: what accuracy costs", "{0}：精度与代价"),
+    ("error against time", "误差与时间"),
+    ("error against memory", "误差与内存"),
+    ("CPU seconds", "CPU 秒"),
+    ("largest memory, MB", "最大内存，MB"),
+    ("error, mm", "误差，mm"),
+    ("{0}: {1} mm, {2} CPU s, {3} triangles", "{0}：{1} mm，CPU {2} 秒，{3} 个三角形"),
+    ("own choice", "默认"),
+    ("draft", "粗略"),
+    ("fine, reference", "精细、参考"),
+    ("springs", "弹簧模型"),
+    ("steps in time", "时间步进"),
+    ("no self-contact", "无自接触"),
+    (
+        "Red line: the front, nothing is both cheaper and more exact. Red ring: recommended. Open: the finest, at its own \
+         estimate. Green: what a preset promises.",
+        "红线：前沿，没有更省且更精确的设置。红圈：推荐。空心：最细网格，取其自身估计。绿色：预设所承诺的误差。",
+    ),
+    ("Black ring: this garment.", "黑圈：本服装。"),
     // The fit after the standard.
     ("Fit under the headings of ISO 20947-2", "按 ISO 20947-2 各项的合体性"),
     (
@@ -364,6 +421,11 @@ pub const CATALOGUE: &[(&str, &str)] = &[
     (
         "a notch of seam `{0}` {1} mm off its partner, {2} mm from its start",
         "缝线 `{0}` 距起点 {2} mm 的剪口与对边相差 {1} mm",
+    ),
+    ("notch `{3}` on {0} moved by {1} mm, {2} mm from its start", "{0} 上距起点 {2} mm 的剪口 `{3}` 移动 {1} mm"),
+    (
+        "notch `{3}` of seam `{0}` {1} mm off its partner, {2} mm from its start",
+        "缝线 `{0}` 距起点 {2} mm 的剪口 `{3}` 与对边相差 {1} mm",
     ),
     ("{0} turned by {1}°", "{0} 转动 {1}°"),
     ("{0}, once straight, bows by {1} mm", "{0} 原为直线，弯曲 {1} mm"),

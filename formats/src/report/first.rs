@@ -78,7 +78,7 @@ fn view(out: &mut String, garment: &Garment, png: &[u8], fit: &Fit, language: La
         frames: motion::times(garment).len(),
         has_section: true,
         ways: ["pattern", "garment"],
-        invitation: "Click a piece, a seam or a dart, here, in the drawing or in a table.",
+        invitation: "Click a piece, a seam, a dart or a notch, here, in the drawing or in a table.",
     };
     viewer::figure(out, &figure, language);
 }

@@ -1,5 +1,6 @@
 //! Measures of garment and body, as they are told in tables.
 
+use super::accuracy::Accuracy;
 use super::tables::{Cell, Table};
 use crate::picture::Field;
 use toile_garment::text::csv_cell;
@@ -109,6 +110,8 @@ pub struct Fit {
     pub balance: Vec<Balance>,
     /// Points of measure of the house, in the order of their file.
     pub points: Vec<Point>,
+    /// What accuracy costs for this garment, where a study tells.
+    pub accuracy: Option<Accuracy>,
 }
 
 /// One measure, as programs read it.

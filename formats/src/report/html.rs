@@ -2,11 +2,11 @@
 
 use super::first;
 use super::fit::Fit;
-use super::live;
 use super::places::{Place, places};
 use super::tables::{Cell, Table, metric_words, tables, word};
 use super::viewer;
 use super::words::Language;
+use super::{live, notches};
 use crate::picture::openness;
 use crate::svg;
 use crate::svg::canvas::{escape, fixed};
@@ -36,9 +36,14 @@ pub fn html(garment: &Garment, findings: &[Diagnostic], fit: &Fit, language: Lan
     first::screen(&mut out, &content, language);
     let all = shown_tables(garment, findings, fit);
     let (open, folded): (Vec<_>, Vec<_>) = all.iter().partition(|t| OPEN.contains(&t.key));
-    open.iter().for_each(|t| table(&mut out, t, garment, language));
+    let study = |out: &mut String, key: &str| {
+        if let Some(accuracy) = fit.accuracy.as_ref().filter(|_| key == "accuracy") {
+            accuracy.html(out, garment, language);
+        }
+    };
+    open.iter().for_each(|t| table(&mut out, t, garment, language, &study));
     drawings(&mut out, garment, &marked, language);
-    folded.iter().for_each(|t| table(&mut out, t, garment, language));
+    folded.iter().for_each(|t| table(&mut out, t, garment, language, &study));
     let scene = live::scene(garment, findings, &marked, fit, language);
     viewer::close(&mut out, &scene, model.as_deref(), "");
     out
@@ -51,7 +56,8 @@ fn is_flattened(garment: &Garment) -> bool {
 
 fn shown_tables(garment: &Garment, findings: &[Diagnostic], fit: &Fit) -> Vec<Table> {
     let measured = [fit.of_house(), fit.ease(), fit.lengths(), fit.standard(), fit.piece_sizes()];
-    let measured = measured.into_iter().filter(|t| !t.rows.is_empty());
+    let study = fit.accuracy.as_ref().map(|a| a.table(garment));
+    let measured = measured.into_iter().chain(study).filter(|t| !t.rows.is_empty());
     let rest = tables(garment, findings).into_iter().filter(|t| t.key != "findings");
     let all = measured.chain(rest);
     if is_flattened(garment) { all.collect() } else { all.map(without_flattening).collect() }
@@ -82,7 +88,7 @@ fn drawings(out: &mut String, garment: &Garment, places: &[Place], language: Lan
     let mut figure = |drawing: &str, words: &str| {
         let _ = writeln!(out, "<figure>{drawing}<figcaption>{words}</figcaption></figure>");
     };
-    let words = "Pieces with the numbers of their edges. A click picks a piece, a seam or a dart.";
+    let words = "Pieces with the numbers of their edges and notches. A click picks a piece, a seam, a dart or a notch.";
     let spots: Vec<_> = places.iter().map(Place::spot).collect();
     figure(&svg::pickable(garment, &spots, language), &escape(language.say(words)));
     for flat in garment.flat.iter().filter(|_| is_flattened(garment)).flat_map(|f| &f.pieces) {
@@ -103,13 +109,15 @@ fn drawings(out: &mut String, garment: &Garment, places: &[Place], language: Lan
     }
 }
 
-fn table(out: &mut String, table: &Table, garment: &Garment, language: Language) {
+/// A table; `before` writes what stands before the table of a key.
+fn table(out: &mut String, table: &Table, garment: &Garment, language: Language, before: &dyn Fn(&mut String, &str)) {
     let open = OPEN.contains(&table.key);
     let title = escape(language.say(table.title));
     let _ = match open {
         true => writeln!(out, "<h2 id=\"{}\">{title}</h2>", table.key),
         false => writeln!(out, "<details id=\"{}\"><summary>{title}</summary>", table.key),
     };
+    before(out, table.key);
     if !table.note.is_empty() {
         let _ = writeln!(out, "<p class=\"note\">{}</p>", escape(language.say(&table.note)));
     }
@@ -119,8 +127,9 @@ fn table(out: &mut String, table: &Table, garment: &Garment, language: Language)
         let _ = write!(out, "<th scope=\"col\">{}</th>", escape(language.say(heading)));
     }
     out.push_str("</tr>\n");
+    let notched = if table.key == "notches" { notches::rows(garment) } else { Vec::new() };
     for (k, row) in table.rows.iter().enumerate() {
-        let picks = picks(table.key, k, row, garment);
+        let picks = picks(table.key, k, row, garment, &notched);
         let _ = match &picks {
             Some(name) => write!(out, "<tr data-pick=\"{name}\">"),
             None => write!(out, "<tr>"),
@@ -144,15 +153,15 @@ fn in_words(table: &str, column: &str, cell: &Cell, language: Language) -> Cell 
         ("ease" | "lengths", "name", Cell::Text(t)) | ("fit_standard", "what", Cell::Text(t)) => {
             Cell::Text(language.measure(t))
         }
-        ("edges", "edge", Cell::Text(t)) => Cell::Text(language.edge(t)),
+        ("edges" | "notches", "edge", Cell::Text(t)) => Cell::Text(language.edge(t)),
         ("effects", "name" | "rule", Cell::Text(t)) => Cell::Text(language.say(t).to_owned()),
         ("points_of_measure", "on" | "method", Cell::Text(t)) => Cell::Text(language.say(t).to_owned()),
         (_, _, other) => other.clone(),
     }
 }
 
-/// The piece, seam or dart that a row is about.
-fn picks(table: &str, number: usize, row: &[Cell], garment: &Garment) -> Option<String> {
+/// The piece, seam, dart or notch that a row is about. `notched` are the rows of all notches.
+fn picks(table: &str, number: usize, row: &[Cell], garment: &Garment, notched: &[notches::Row]) -> Option<String> {
     let text = |k: usize| match row.get(k) {
         Some(Cell::Text(t)) => Some(t.as_str()),
         _ => None,
@@ -161,6 +170,7 @@ fn picks(table: &str, number: usize, row: &[Cell], garment: &Garment) -> Option<
     match table {
         "pieces" => Some(format!("piece:{number}")),
         "seams" => Some(format!("seam:{number}")),
+        "notches" => notched.get(number).map(|r| notches::pick_name(r.at)),
         "edges" | "strain" | "piece_sizes" | "flat_verdicts" => piece().map(|p| format!("piece:{p}")),
         "darts" => {
             let p = piece()?;

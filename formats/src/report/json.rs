@@ -22,7 +22,8 @@ pub fn json(garment: &Garment, findings: &[Diagnostic], fit: &Fit) -> Value {
     let measured = [fit.table(), fit.of_house(), fit.ease(), fit.lengths(), fit.standard(), fit.piece_sizes()]
         .into_iter()
         .filter(|t| !t.rows.is_empty());
-    for table in tables(garment, findings).into_iter().chain(measured) {
+    let study = fit.accuracy.as_ref().map(|a| a.table(garment));
+    for table in tables(garment, findings).into_iter().chain(measured).chain(study) {
         let row = |cells: &Vec<Cell>| {
             let keys = table.columns.iter().map(|(key, _)| (*key).to_owned());
             Value::Object(keys.zip(cells.iter().map(value)).collect())

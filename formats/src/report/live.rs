@@ -1,11 +1,11 @@
 //! The data for the viewer of the page: the model as a GLB, and names, seams and maps as JSON.
 
 use super::fit::Fit;
-use super::motion;
-use super::places::{Place, finding_name};
+use super::places::{Place, finding_name, middle_of_edge};
 use super::verdict::verdict;
-use super::viewer::{Line, Mark, Scene, Stretch};
+use super::viewer::{Line, Mark, Scene, Stretch, Tag};
 use super::words::Language;
+use super::{motion, notches};
 use crate::gltf::{self, ViewPiece};
 use crate::picture::{Field, Openness, lay, openness};
 use base64::Engine as _;
@@ -73,6 +73,9 @@ pub fn scene(garment: &Garment, findings: &[Diagnostic], places: &[Place], fit: 
             names.insert(finding_name(k), json!(told));
         }
     }
+    let notched = notches::rows(garment);
+    names.extend(notched.iter().map(|n| (notches::pick_name(n.at), json!(notches::words(n, language)))));
+    let of_notches: Vec<Place> = notched.iter().map(|n| notches::place(garment, n)).collect();
     let lay = lay(garment);
     // A run that failed shows first where it did.
     let is_bad = verdict(garment, findings, language).passed == Some(false);
@@ -83,7 +86,8 @@ pub fn scene(garment: &Garment, findings: &[Diagnostic], places: &[Place], fit: 
         lines: garment.seams.iter().map(line).collect(),
         fields: fit.maps.iter().map(field).collect(),
         warps: garment.pieces.iter().map(warp).collect(),
-        marks: places.iter().map(|p| mark(p, garment, &lay)).collect(),
+        marks: places.iter().chain(&of_notches).map(|p| mark(p, garment, &lay)).collect(),
+        tags: tags(garment, &notched, &lay),
         shown,
         colourways: garment.textures.iter().flat_map(|t| &t.colourways).map(|c| c.colors.clone()).collect(),
         motion: motion::motion(garment),
@@ -97,13 +101,33 @@ fn warp(piece: &Piece) -> Option<[f64; 2]> {
     is_flat.then(|| piece.warp().into())
 }
 
+/// The labels of edges and notches, which the view shows on a piece that is picked.
+fn tags(garment: &Garment, notched: &[notches::Row], lay: &[Vec2]) -> Vec<Tag> {
+    let edges = garment.pieces.iter().enumerate().flat_map(|(p, piece)| {
+        piece.edges.iter().enumerate().filter_map(move |(k, edge)| {
+            let text = edge.name.as_ref().map_or_else(|| edge.index.to_string(), |n| format!("{} {n}", edge.index));
+            let at = at_of(&middle_of_edge(garment, p, k)?, garment, lay)?;
+            Some(Tag { text, is_notch: false, at })
+        })
+    });
+    let notches = notched.iter().filter_map(|row| {
+        let text = row.name.rsplit_once('.')?.1.to_owned();
+        Some(Tag { text, is_notch: true, at: at_of(&notches::place(garment, row), garment, lay)? })
+    });
+    edges.chain(notches).collect()
+}
+
 /// A place as the view marks it; `lay` tells where the pieces lie side by side.
 fn mark(place: &Place, garment: &Garment, lay: &[Vec2]) -> Mark {
-    let at = place.in_view(garment).map(|(piece, worn, flat)| {
-        let flat = flat + lay.get(piece).copied().unwrap_or_else(Vec2::zeros);
-        (piece, [worn.x, worn.y, worn.z, flat.x, flat.y])
-    });
+    let at = at_of(place, garment, lay);
     Mark { pick: place.pick.clone(), number: place.number.clone(), target: place.target.clone(), at }
+}
+
+/// The piece of a place, and its point in space and in the flat lay, metres.
+fn at_of(place: &Place, garment: &Garment, lay: &[Vec2]) -> Option<(usize, [f64; 5])> {
+    let (piece, worn, flat) = place.in_view(garment)?;
+    let flat = flat + lay.get(piece).copied().unwrap_or_else(Vec2::zeros);
+    Some((piece, [worn.x, worn.y, worn.z, flat.x, flat.y]))
 }
 
 /// PNG as the source of an image.

@@ -3,6 +3,7 @@
 //! Millimetres, square centimetres, percent and degrees with fixed decimals; no clock, no machine facts. The page holds
 //! a model of the garment in 3D and a small viewer (`page/`), and pictures that stand where the viewer cannot run.
 
+pub mod accuracy;
 mod catalogue;
 mod checks;
 mod chinese;
@@ -12,10 +13,13 @@ mod html;
 mod json;
 mod live;
 mod motion;
+mod notches;
+mod pages;
 mod places;
 mod standard;
 mod stats;
 mod tables;
+mod translated;
 mod verdict;
 pub mod viewer;
 mod words;
@@ -25,6 +29,7 @@ pub use fit::{Balance, Fit, FreeEdge, Length, Level, Measure, PieceSize, Point};
 pub use html::html;
 pub use json::json;
 pub use live::model;
+pub(crate) use notches::pick_name;
 pub use tables::{Cell, Table, tables};
 pub use verdict::{Verdict, verdict};
 pub use words::{Language, Phrase};

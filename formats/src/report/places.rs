@@ -1,8 +1,10 @@
 //! Where in the garment a finding is: its words name pieces, edges, seams, darts and coordinates.
 //!
 //! Names stand in backticks after the word for their kind, such as ``seam `side-left` ``; an edge may also be written
-//! ``edge 3 of `FRONT` `` or `` `FRONT.3` ``. Three coordinates are a place in space, two a place on a piece.
+//! ``edge 3 of `FRONT` `` or `` `FRONT.3` ``, and a notch is `` `FRONT.n3` ``. Three coordinates are a place in space, two
+//! a place on a piece.
 
+use super::notches::pick_name;
 use crate::svg::Spot;
 use toile_garment::mesh::PieceMesh;
 use toile_garment::seam::{SeamKind, SeamSide};
@@ -11,6 +13,8 @@ use toile_garment::{Diagnostic, Garment, Piece, Severity, Vec2, Vec3};
 
 /// A place on a piece that lies this far beside its box is none on it, metres.
 const BESIDE_PIECE: f64 = 0.02;
+/// A place this near to a notch is the notch: messages round to a tenth of a millimetre.
+const AT_NOTCH: f64 = 2e-4;
 
 /// The place of one finding.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -40,6 +44,8 @@ enum Thing {
     Planned(usize),
     /// Piece, and index in its list of darts.
     Dart(usize, usize),
+    /// Piece, and index in its list of notches.
+    Notch(usize, usize),
 }
 
 /// The name by which the page picks a finding, by its number among all.
@@ -88,6 +94,7 @@ fn place(garment: &Garment, message: &str) -> Option<Place> {
     let pieces: Vec<usize> = things.iter().filter_map(|t| t.piece()).collect();
     let mut place = Place { target: things.iter().find_map(|t| t.target(garment)), ..Place::default() };
     place.lines = things.iter().flat_map(|t| t.lines(garment)).collect();
+    place.points = things.iter().filter_map(|t| t.point(garment)).collect();
     match coordinates(message).as_deref() {
         Some([x, y, z]) => {
             let at = Vec3::new(*x, *y, *z);
@@ -99,6 +106,7 @@ fn place(garment: &Garment, message: &str) -> Option<Place> {
             place.points =
                 pieces.iter().copied().filter(|p| is_near(&garment.pieces[*p], at)).map(|p| (p, at)).collect();
             place.points.dedup();
+            place.target = place.points.first().and_then(|p| notch_at(garment, *p)).or(place.target);
         }
         _ => {}
     }
@@ -113,10 +121,24 @@ fn place(garment: &Garment, message: &str) -> Option<Place> {
     (!place.points.is_empty()).then_some(place)
 }
 
+/// The name of a notch at a place.
+fn notch_at(garment: &Garment, (piece, at): (usize, Vec2)) -> Option<String> {
+    let is_there = |n: &toile_garment::notch::Notch| (n.at - at).norm() < AT_NOTCH;
+    garment.pieces[piece].notches.iter().position(is_there).map(|k| pick_name((piece, k)))
+}
+
 impl Thing {
+    /// The point that it is.
+    fn point(self, garment: &Garment) -> Option<(usize, Vec2)> {
+        match self {
+            Self::Notch(p, k) => Some((p, garment.pieces[p].notches.get(k)?.at)),
+            _ => None,
+        }
+    }
+
     fn piece(self) -> Option<usize> {
         match self {
-            Self::Piece(p) | Self::Edge(p, _) | Self::Dart(p, _) => Some(p),
+            Self::Piece(p) | Self::Edge(p, _) | Self::Dart(p, _) | Self::Notch(p, _) => Some(p),
             Self::Seam(_) | Self::Planned(_) => None,
         }
     }
@@ -126,6 +148,7 @@ impl Thing {
         match self {
             Self::Seam(k) => Some(format!("seam:{k}")),
             Self::Planned(_) => None,
+            Self::Notch(p, k) => Some(pick_name((p, k))),
             Self::Piece(p) | Self::Edge(p, _) => Some(format!("piece:{p}")),
             Self::Dart(p, d) => {
                 let is_it = |kind: &SeamKind| matches!(kind, SeamKind::Dart { piece, dart } if (piece.index(), dart.index()) == (p, d));
@@ -152,6 +175,7 @@ impl Thing {
                 let seam = &garment.plan.seams[k];
                 seam.a.iter().chain(&seam.b).filter_map(|run| planned(garment, run)).collect()
             }
+            Self::Notch(..) => Vec::new(),
         }
     }
 }
@@ -226,6 +250,7 @@ fn thing(garment: &Garment, before: &str, name: &str, last: Option<usize>) -> Op
             Some(pleat.unwrap_or(Thing::Piece(piece)))
         }
         "dart" => dart(garment, in_piece().map_or((last, name), |(p, inner)| (Some(p), inner))),
+        "notch" | "notche" => notch(garment, in_piece()?),
         "of" => {
             let number = words.next().and_then(|n| n.parse::<u32>().ok());
             let piece = piece_named(garment, name)?;
@@ -233,8 +258,14 @@ fn thing(garment: &Garment, before: &str, name: &str, last: Option<usize>) -> Op
             let edge = edge.and_then(|n| garment.pieces[piece].edges.iter().position(|e| e.index == n));
             Some(edge.map_or(Thing::Piece(piece), |e| Thing::Edge(piece, e)))
         }
-        _ => piece_named(garment, name).map(Thing::Piece).or_else(|| in_piece().and_then(|_| edge())),
+        _ => piece_named(garment, name)
+            .map(Thing::Piece)
+            .or_else(|| in_piece().and_then(|at| edge().or_else(|| notch(garment, at)))),
     }
+}
+
+fn notch(garment: &Garment, (piece, label): (usize, &str)) -> Option<Thing> {
+    garment.pieces[piece].notch_of(label).map(|k| Thing::Notch(piece, k))
 }
 
 fn seam(garment: &Garment, name: &str) -> Option<Thing> {
@@ -305,6 +336,12 @@ fn worn(garment: &Garment, piece: usize, at: Vec2) -> Option<Vec3> {
     worn.get(vertex_at(mesh, at)?).copied()
 }
 
+/// The middle of an edge, where it is worn and where it lies on its piece.
+pub fn middle_of_edge(garment: &Garment, piece: usize, edge: usize) -> Option<Place> {
+    let at = middle(&edge_line(&garment.pieces[piece], edge))?;
+    Some(Place { points: vec![(piece, at)], ..Place::default() })
+}
+
 /// The point half way along a line; of a closed one, the middle of its points.
 fn middle(line: &[Vec2]) -> Option<Vec2> {
     let (first, last) = (line.first()?, line.last()?);
@@ -330,6 +367,7 @@ mod tests {
     use super::*;
     use crate::codes::OUT_OF_RANGE;
     use toile_garment::garment::Shape;
+    use toile_garment::notch::{Notch, NotchKind};
     use toile_garment::outline::OutlineEdge;
     use toile_garment::outline::{LinePoint, PieceLine, PointKind};
     use toile_garment::seam::{Seam, SeamRun};
@@ -401,6 +439,23 @@ mod tests {
         assert_eq!(of("fold `FRONT pleat-1-2`: it lies open").expect("place").target.as_deref(), Some("piece:0"));
         let piece = of("nothing says where piece `BACK` starts in 3D").expect("place");
         assert_eq!((piece.lines[0].1.len(), piece.points), (5, vec![(1, Vec2::new(0.1, 0.05))]));
+    }
+
+    #[test]
+    fn a_notch_is_found_by_its_label_and_by_its_place() {
+        let mut garment = garment();
+        let (kind, at, on) = (NotchKind::Slit, Vec2::new(0.2, 0.05), "sew".to_owned());
+        let notch = Notch { kind, at, depth: 4e-3, width: 0.0, angle: None, on, name: None, source: None };
+        garment.pieces[0].notches = vec![notch];
+        for words in ["seam `side`: without a partner: `FRONT.n1`", "notch `FRONT.n1` moved"] {
+            let place = place(&garment, words).expect(words);
+            assert_eq!((place.points, place.space), (vec![(0, at)], None), "{words}");
+        }
+        let target = |words: &str| place(&garment, words).expect(words).target;
+        assert_eq!(target("notch `FRONT.n1` moved").as_deref(), Some("notch:0:0"));
+        let off = target("a notch of `FRONT` at (200.0, 50.0) mm lies off the boundary");
+        assert_eq!(off.as_deref(), Some("notch:0:0"));
+        assert_eq!(place(&garment, "edge `FRONT.n9` is short"), None);
     }
 
     #[test]

@@ -1,8 +1,8 @@
 //! The tables of the report, from whatever the garment holds.
 
-use super::checks;
 use super::stats::{Spread, areas, spread};
 use super::words::Phrase;
+use super::{checks, notches};
 use toile_garment::flat::{FlatMetric, FlatPiece, StrainMap};
 use toile_garment::seam::SeamKind;
 use toile_garment::{Diagnostic, Garment, Piece, Severity};
@@ -57,7 +57,7 @@ pub fn tables(garment: &Garment, findings: &[Diagnostic]) -> Vec<Table> {
 }
 
 /// All tables, those without a row, too.
-pub(super) fn all(garment: &Garment, findings: &[Diagnostic]) -> [Table; 11] {
+pub(super) fn all(garment: &Garment, findings: &[Diagnostic]) -> [Table; 12] {
     [
         self::findings(findings),
         verdicts(garment),
@@ -65,6 +65,7 @@ pub(super) fn all(garment: &Garment, findings: &[Diagnostic]) -> [Table; 11] {
         edges(garment),
         darts(garment),
         seams(garment),
+        notches::table(garment),
         strain(garment),
         certificate(garment),
         effects(garment),

@@ -1,6 +1,6 @@
 //! The view in 3D of a page: the figure with its tools, the data, and the scripts. It needs no library and no network.
 //!
-//! Names such as `piece:2` and `seam:7` join the view, drawings and rows of tables: what is picked in one is shown in
+//! Names such as `piece:2`, `seam:7` and `notch:2:0` join the view, drawings and rows of tables: what is picked in one is shown in
 //! all (`data-pick`).
 
 use super::words::Language;
@@ -83,6 +83,16 @@ pub struct Mark {
     pub at: Option<(usize, [f64; 5])>,
 }
 
+/// A label of an edge or a notch. It is seen on a piece that is picked.
+pub struct Tag {
+    /// Its text, as the drawing has it.
+    pub text: String,
+    /// Is it that of a notch?
+    pub is_notch: bool,
+    /// Its piece, and the point in space and in the flat lay, metres.
+    pub at: (usize, [f64; 5]),
+}
+
 /// A motion of the pieces: places as whole numbers of steps from a corner.
 pub struct Motion {
     /// Frames in a second.
@@ -116,6 +126,8 @@ pub struct Scene {
     pub threads: Vec<Thread>,
     /// Places that findings name.
     pub marks: Vec<Mark>,
+    /// Labels of edges and notches.
+    pub tags: Vec<Tag>,
     /// Colours of all materials in each colourway but the first, linear RGB.
     pub colourways: Vec<Vec<[f64; 3]>>,
     /// The motion.
@@ -173,6 +185,10 @@ fn data(scene: &Scene) -> String {
             |m: &Mark| json!({ "pick": m.pick, "number": m.number, "target": m.target, "at": m.at.as_ref().map(end) });
         map.insert("marks".to_owned(), scene.marks.iter().map(mark).collect());
         map.insert("shown".to_owned(), json!(scene.shown));
+    }
+    if let (false, Some(map)) = (scene.tags.is_empty(), value.as_object_mut()) {
+        let tag = |t: &Tag| json!([t.text, u8::from(t.is_notch), end(&t.at)]);
+        map.insert("tags".to_owned(), scene.tags.iter().map(tag).collect());
     }
     if let (false, Some(map)) = (scene.colourways.is_empty(), value.as_object_mut()) {
         map.insert("colourways".to_owned(), json!(scene.colourways));

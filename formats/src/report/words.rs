@@ -1,6 +1,7 @@
 //! Tells the words of the page in its languages; they stand in the catalogue.
 
 use super::catalogue::CATALOGUE;
+use super::pages::PAGES;
 
 /// A language of the page.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -27,7 +28,10 @@ impl Language {
     pub fn say(self, english: &str) -> &str {
         match self {
             Self::English => english,
-            Self::Chinese => CATALOGUE.iter().find(|(e, _)| *e == english).map_or(english, |(_, c)| c),
+            Self::Chinese => {
+                let mut all = CATALOGUE.iter().chain(PAGES);
+                all.find(|(e, _)| *e == english).map_or(english, |(_, c)| c)
+            }
         }
     }
 

@@ -1,6 +1,7 @@
 //! Flattened pieces over their originals, coloured by the strain of the cloth.
 
 use super::canvas::{Bounds, Canvas, fixed};
+use super::labels::Labels;
 use crate::report::Language;
 use toile_garment::flat::{FlatPiece, StrainMap};
 use toile_garment::mesh::PieceMesh;
@@ -11,7 +12,8 @@ path{fill:none;stroke-linejoin:round;vector-effect:non-scaling-stroke}\
 .cell{stroke-width:.4px}.original{stroke:#111;stroke-width:1.3px;stroke-dasharray:5 4}.flat{stroke:#0b6b3a;stroke-width:1.6px}\
 .dartoriginal{stroke:#7d1a12;stroke-width:1.2px;stroke-dasharray:5 4}.dart{stroke:#d0281c;stroke-width:1.6px}\
 .notch{stroke:#7a1fa2;stroke-width:2px}.grain{stroke:#555;stroke-width:1.1px}.scale{stroke:#111;stroke-width:1.4px}\
-text{font-family:'DejaVu Sans',Arial,Helvetica,sans-serif;text-anchor:middle}.label{fill:#333}.name{fill:#111;font-weight:bold}";
+text{font-family:'DejaVu Sans',Arial,Helvetica,sans-serif;text-anchor:middle;paint-order:stroke;stroke:#fff;\
+stroke-width:.2em;stroke-linejoin:round}.label{fill:#333}.name{fill:#111;font-weight:bold}.notchname{fill:#7a1fa2}";
 
 /// Colour steps on each side of zero.
 const STEPS: i32 = 10;
@@ -147,7 +149,8 @@ impl Pen<'_> {
     /// Notches ride on the outline vertex nearest to them.
     fn notches(&mut self, piece: &Piece, mesh: &PieceMesh, flat: &FlatPiece) {
         let Some(outline) = mesh.outline() else { return };
-        for notch in &piece.notches {
+        let mut labels = Labels::default();
+        for (notch, label) in piece.notches.iter().zip(piece.notch_labels()) {
             let far = |v: &&u32| mesh.rest.get(**v as usize).map_or(f64::INFINITY, |p| (p - notch.at).norm_squared());
             let Some(v) = outline.vertices.iter().min_by(|a, b| far(a).total_cmp(&far(b))) else { continue };
             let (Some(from), Some(to)) = (mesh.rest.get(*v as usize), flat.positions.get(*v as usize)) else {
@@ -155,6 +158,13 @@ impl Pen<'_> {
             };
             let at = self.at(notch.at + (to - from));
             self.canvas.dot("notch", at, 0.25 * self.size);
+            let size = 0.7 * self.size;
+            let beside =
+                [1.1, 2.0].iter().flat_map(|far| [[1.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [0.0, -1.0]].map(|w| (far, w)));
+            let places: Vec<Vec2> = beside.map(|(far, w)| at + Vec2::from(w) * (far * size)).collect();
+            if let Some(place) = labels.place(&places, &[(0.0, size, &label)]) {
+                self.canvas.text("notchname", place, size, &label);
+            }
         }
     }
 }

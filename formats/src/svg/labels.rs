@@ -3,9 +3,9 @@
 use super::canvas::Bounds;
 use toile_garment::Vec2;
 
-/// Half the width of a letter and half the height of a line, as shares of the size of a text.
-const HALF_LETTER: f64 = 0.31;
-const HALF_LINE: f64 = 0.55;
+/// Half the width of a letter and half the height of a line, as shares of the size of a text, with some room around.
+const HALF_LETTER: f64 = 0.32;
+const HALF_LINE: f64 = 0.68;
 
 /// The first of the wide letters, which are those of China, Japan and Korea, and how many narrow ones are as wide.
 const WIDE_FROM: char = '\u{2e80}';
@@ -28,6 +28,26 @@ impl Labels {
         self.taken.push(room(at, &[(0.0, size, text)]));
     }
 
+    /// Takes the room of a mark, such as a drill hole.
+    pub fn take_mark(&mut self, at: Vec2, half: f64) {
+        self.taken.push(Bounds { min: at.add_scalar(-half), max: at.add_scalar(half) });
+    }
+
+    /// The first of several places at which lines of text lie on no other label, and in a room that is good; their room
+    /// is taken.
+    pub fn free(
+        &mut self,
+        places: &[Vec2],
+        lines: &[(f64, f64, &str)],
+        is_good: impl Fn(&Bounds) -> bool,
+    ) -> Option<Vec2> {
+        let is_free = |room: &Bounds| self.taken.iter().all(|t| shared(t, room) <= 0.0);
+        let rooms = places.iter().map(|at| (*at, room(*at, lines)));
+        let (at, room) = rooms.into_iter().find(|(_, room)| is_free(room) && is_good(room))?;
+        self.taken.push(room);
+        Some(at)
+    }
+
     /// The first of several places at which lines of text lie on no other label, else the one where they cover least;
     /// their room is taken. A line is told by its height above the place, its size and its text.
     pub fn place(&mut self, places: &[Vec2], lines: &[(f64, f64, &str)]) -> Option<Vec2> {
@@ -41,7 +61,7 @@ impl Labels {
 }
 
 /// The rectangle around lines of text that are centred at a place.
-fn room(at: Vec2, lines: &[(f64, f64, &str)]) -> Bounds {
+pub fn room(at: Vec2, lines: &[(f64, f64, &str)]) -> Bounds {
     let corner = |(above, size, text): &(f64, f64, &str)| {
         let half = Vec2::new(HALF_LETTER * letters(text), HALF_LINE) * *size;
         let middle = at + Vec2::new(0.0, *above);
@@ -68,5 +88,11 @@ mod tests {
         assert_eq!(labels.place(&[here, beside, far], &[(0.0, 1.0, "dart-2 28.0 mm")]), Some(far));
         assert_eq!(labels.place(&[here, beside], &[(0.0, 1.0, "dart-3")]), Some(beside));
         assert_eq!(labels.place(&[], &[(0.0, 1.0, "x")]), None);
+        let mut labels = Labels::default();
+        labels.take_mark(here, 1.0);
+        let line = [(0.0, 1.0, "dart-1")];
+        assert_eq!(labels.free(&[here, beside], &line, |room| room.max.x > 9.0), None);
+        assert_eq!(labels.free(&[here, beside], &line, |_| true), Some(beside));
+        assert_eq!(labels.free(&[beside], &line, |_| true), None);
     }
 }

@@ -9,5 +9,6 @@ pub(crate) mod pattern;
 mod spots;
 
 pub use flat::{flat_piece, flat_sheet};
-pub use pattern::{pattern, pattern_in, pickable};
+pub(crate) use labels::letters;
+pub use pattern::{inward_normal, pattern, pattern_in, pickable};
 pub use spots::Spot;

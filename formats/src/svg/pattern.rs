@@ -1,11 +1,10 @@
 //! The pattern as `toile inspect --svg` draws it: pieces side by side with numbered edges.
 
 use super::canvas::{Bounds, Canvas, fixed};
-use super::labels::{Labels, letters};
+use super::labels::{Labels, letters, room};
 use super::spots::{self, SPOT_STYLE, Spot};
-use crate::report::Language;
+use crate::report::{Language, pick_name};
 use toile_garment::dart::{Dart, DartKind};
-use toile_garment::notch::Notch;
 use toile_garment::outline::{OutlineEdge, PieceLine};
 use toile_garment::seam::Seam;
 use toile_garment::{Garment, Piece, Vec2};
@@ -18,7 +17,7 @@ path{fill:none;stroke-linejoin:round;vector-effect:non-scaling-stroke}\
 .grain{stroke:#555;stroke-width:1.2px}.fold{stroke:#555;stroke-width:1px;stroke-dasharray:12 3 2 3 2 3}.scale{stroke:#111;stroke-width:1.4px}\
 .corner{fill:#111}.apex{fill:#c0261c}.drill{fill:#fff;stroke:#111;stroke-width:1.2px;vector-effect:non-scaling-stroke}\
 text{font-family:'DejaVu Sans',Arial,Helvetica,sans-serif;text-anchor:middle;paint-order:stroke;stroke:#fff;stroke-width:.25em;stroke-linejoin:round}\
-.label{fill:#333}.name{fill:#111;font-weight:bold}.edge{fill:#0b3d91}.dartname{fill:#a01810}";
+.label{fill:#333}.name{fill:#111;font-weight:bold}.edge{fill:#0b3d91}.dartname{fill:#a01810}.notchname{fill:#7a1fa2}";
 
 /// The way of every edge, which a person needs who writes a sewing file.
 const WAY_STYLE: &str = ".way{stroke:#0b3d91;stroke-width:1.2px}";
@@ -26,12 +25,21 @@ const WAY_STYLE: &str = ".way{stroke:#0b3d91;stroke-width:1.2px}";
 /// Seams are seen when they are picked, and take clicks near them.
 const SEAM_STYLE: &str = "\
 .seam{stroke:#e8590c;stroke-width:9px;stroke-opacity:0;stroke-linecap:round;pointer-events:stroke;cursor:pointer}\
-.picked .seam{stroke-opacity:.85;stroke-width:5px}[data-pick]{cursor:pointer}.picked>.cloth{fill:#ffe2cc}";
+.picked .seam{stroke-opacity:.85;stroke-width:5px}[data-pick]{cursor:pointer}.picked>.cloth{fill:#ffe2cc}\
+.picked>.notch{stroke-width:6px}.picked>.notchname{font-weight:bold}";
 
+/// Height of the label of a notch beside that of an edge.
+const NOTCH_TEXT: f64 = 0.75;
+/// How far before its tip the label of a notch may stand, in heights of its text.
+const NOTCH_PLACES: [f64; 3] = [0.2, 0.8, 1.4];
+/// Places that are tried for the number of an edge, as shares of its length.
+const EDGE_PLACES: [f64; 7] = [0.5, 0.42, 0.58, 0.34, 0.66, 0.25, 0.75];
 /// Places that are tried for the label of a dart on each of its three ways.
 const DART_PLACES: i32 = 6;
 /// Steps that the name of a piece may lie beside its middle, each way.
-const NAME_PLACES: i32 = 8;
+const NAME_PLACES: i32 = 10;
+/// Points of an outline that are looked at to find room for a name.
+const NAME_POINTS: usize = 500;
 
 /// Draws pieces side by side: cut and sew line, numbered edges, darts, notches, grain, drill holes, internal lines.
 #[must_use]
@@ -55,16 +63,20 @@ pub fn pickable(garment: &Garment, spots: &[Spot<'_>], language: Language) -> St
 fn sheet(pieces: &[Piece], picks: Option<&[Seam]>, spots: &[Spot<'_>], title: &str, language: Language) -> String {
     let boxes: Vec<Option<Bounds>> = pieces.iter().map(bounds).collect();
     let size = text_size(&boxes);
+    // Where a name has no room on its piece, there is room for it below.
+    let beside = |(piece, bounds): (&Piece, &Option<Bounds>)| bounds.map(|b| with_name(piece, b, size, language));
+    let boxes: Vec<Option<Bounds>> = pieces.iter().zip(&boxes).map(beside).collect();
     let (places, sheet) = shelves(&boxes, 6.0 * size);
     let mut canvas = Canvas::default();
     for (k, ((piece, bounds), place)) in pieces.iter().zip(&boxes).zip(&places).enumerate() {
         if let (Some(bounds), Some(place)) = (bounds, place) {
+            let number = picks.is_some().then_some(k);
             if picks.is_some() {
                 canvas.open(&format!("piece:{k}"));
             }
             let (move_by, labels) = (place - bounds.min, Labels::default());
-            let mut pen = Pen { canvas: &mut canvas, move_by, size, labels, language };
-            pen.piece(piece, bounds);
+            let mut pen = Pen { canvas: &mut canvas, move_by, size, labels, language, number };
+            pen.piece(piece);
             if picks.is_some() {
                 canvas.close();
             } else {
@@ -154,6 +166,8 @@ struct Pen<'a> {
     size: f64,
     labels: Labels,
     language: Language,
+    /// The number of the piece, where a page can pick it.
+    number: Option<usize>,
 }
 
 impl Pen<'_> {
@@ -166,7 +180,8 @@ impl Pen<'_> {
         self.canvas.line(class, &points, line.closed);
     }
 
-    fn piece(&mut self, piece: &Piece, bounds: &Bounds) {
+    /// Draws a piece. Gives the room that its name takes below it, where it has none on the piece.
+    fn piece(&mut self, piece: &Piece) -> Option<Bounds> {
         let cut = piece.cut_line.as_ref().unwrap_or(&piece.outline);
         self.line("cloth", cut);
         piece.cutouts.iter().for_each(|l| self.line("cutout", l));
@@ -177,16 +192,20 @@ impl Pen<'_> {
         }
         piece.internal_lines.iter().for_each(|l| self.line("internal", l));
         self.grain(piece);
-        // The numbers of the edges have fixed places; the other labels make room for them.
-        let fixed: Vec<(Vec2, String)> = piece.edges.iter().filter_map(|e| self.edge_label(piece, e)).collect();
-        for (at, label) in fixed {
-            self.labels.take(at, self.size, &label);
+        // The numbers of the edges come first; the other labels make room for them.
+        let numbers: Vec<(Vec2, String)> = piece.edges.iter().filter_map(|e| self.edge_label(piece, e)).collect();
+        let marks = piece.drill_holes.iter().map(|h| h.at).chain(piece.darts.iter().flat_map(|d| d.apexes.clone()));
+        for at in marks.map(|p| self.at(p)).collect::<Vec<_>>() {
+            self.labels.take_mark(at, 0.7 * self.size);
+        }
+        for (k, label) in piece.notch_labels().iter().enumerate() {
+            self.notch(piece, k, label);
         }
         piece.darts.iter().for_each(|d| self.dart(d));
-        piece.notches.iter().for_each(|n| self.notch(n, piece));
         piece.drill_holes.iter().for_each(|h| self.drill(h.at));
-        piece.edges.iter().for_each(|e| self.edge(piece, e));
-        self.name(piece, bounds);
+        piece.edges.iter().for_each(|e| self.corner(piece, e));
+        numbers.iter().for_each(|(at, label)| self.canvas.text("edge", *at, self.size, label));
+        self.name(piece)
     }
 
     fn dart_area(&mut self, dart: &Dart) {
@@ -225,13 +244,18 @@ impl Pen<'_> {
         self.canvas.text("dartname", at, size, &label);
     }
 
-    fn notch(&mut self, notch: &Notch, piece: &Piece) {
+    /// A notch with its label, which a page can pick.
+    fn notch(&mut self, piece: &Piece, number: usize, label: &str) {
+        let notch = &piece.notches[number];
         let inward = match notch.angle {
             Some(a) => Vec2::new(libm::cos(a), libm::sin(a)),
             None => inward_normal(piece.cut_line.as_ref().unwrap_or(&piece.outline), notch.at),
         };
         let (at, length) = (self.at(notch.at), (1e3 * notch.depth).max(0.9 * self.size));
         let (tip, side) = (at + inward * length, Vec2::new(-inward.y, inward.x) * (0.3 * self.size));
+        if let Some(p) = self.number {
+            self.canvas.open(&pick_name((p, number)));
+        }
         use toile_garment::notch::NotchKind as Kind;
         match notch.kind {
             Kind::Slit => self.canvas.line("notch", &[at, tip], false),
@@ -241,6 +265,24 @@ impl Pen<'_> {
                 self.canvas.line("notch", &[at + side, tip + side, tip - side, at - side], false);
             }
         }
+        self.notch_label(tip, inward, label);
+        if self.number.is_some() {
+            self.canvas.close();
+        }
+    }
+
+    /// The label of a notch: before its tip, else beside it, else a little deeper in the cloth.
+    fn notch_label(&mut self, tip: Vec2, inward: Vec2, label: &str) {
+        let size = NOTCH_TEXT * self.size;
+        let half = Vec2::new(0.31 * letters(label), 0.5) * size;
+        let away = |far: f64| inward * ((half.x * inward.x.abs() + half.y * inward.y.abs()) + far * size);
+        let along = Vec2::new(-inward.y, inward.x);
+        let beside = along * (half.x * along.x.abs() + half.y * along.y.abs() + 0.3 * size);
+        // First as near to the tip as may be: deep in a narrow piece a label would stand at a notch of the other side.
+        let near = NOTCH_PLACES.into_iter().flat_map(|far| [0.0, 1.0, -1.0, 2.0, -2.0].map(|side| (far, side)));
+        let places: Vec<Vec2> = near.map(|(far, side)| tip + away(far) + beside * side).collect();
+        let at = self.labels.place(&places, &[(0.0, size, label)]).unwrap_or(tip);
+        self.canvas.text("notchname", at, size, label);
     }
 
     fn drill(&mut self, at: Vec2) {
@@ -264,33 +306,35 @@ impl Pen<'_> {
         self.canvas.line("grain", &[b - along + across, b, b - along - across], false);
     }
 
-    fn edge(&mut self, piece: &Piece, edge: &OutlineEdge) {
-        let points = &piece.outline.points;
-        let Some(from) = points.get(edge.from as usize) else { return };
+    fn corner(&mut self, piece: &Piece, edge: &OutlineEdge) {
+        let Some(from) = piece.outline.points.get(edge.from as usize) else { return };
         let corner = self.at(from.at);
         self.canvas.dot("corner", corner, 0.22 * self.size);
-        let Some((at, label)) = self.edge_label(piece, edge) else { return };
-        self.canvas.text("edge", at, self.size, &label);
     }
 
-    /// The label of an edge and its place, inside the cloth.
-    fn edge_label(&self, piece: &Piece, edge: &OutlineEdge) -> Option<(Vec2, String)> {
-        let (middle, inward) = middle(&piece.outline, edge)?;
+    /// The label of an edge and its place, inside the cloth: at its middle, on a narrow piece beside that.
+    fn edge_label(&mut self, piece: &Piece, edge: &OutlineEdge) -> Option<(Vec2, String)> {
         let label = edge.name.as_ref().map_or_else(|| edge.index.to_string(), |n| format!("{} {n}", edge.index));
-        let away = 1.1 + 0.28 * letters(&label) * inward.x.abs();
-        Some((self.at(middle) + inward * (away * self.size), label))
+        let place = |share: f64| {
+            let (at, inward) = on_edge(&piece.outline, edge, share)?;
+            let away = 1.1 + 0.28 * letters(&label) * inward.x.abs();
+            Some(self.at(at) + inward * (away * self.size))
+        };
+        let places: Vec<Vec2> = EDGE_PLACES.into_iter().filter_map(place).collect();
+        Some((self.labels.place(&places, &[(0.0, self.size, &label)])?, label))
     }
 
     /// An arrow in the middle of an edge.
     fn way(&mut self, piece: &Piece, edge: &OutlineEdge) {
-        let Some((middle, inward)) = middle(&piece.outline, edge) else { return };
+        let Some((middle, inward)) = on_edge(&piece.outline, edge, 0.5) else { return };
         let (tip, along) = (self.at(middle), Vec2::new(inward.y, -inward.x) * (0.45 * self.size));
         let across = inward * (0.25 * self.size);
         self.canvas.line("way", &[tip - along + across, tip, tip - along - across], false);
     }
 
-    /// Name, cut and area in the middle of a piece, or as near to it as there is room.
-    fn name(&mut self, piece: &Piece, bounds: &Bounds) {
+    /// Name, cut and area in the middle of a piece, or as near to it as there is room; where there is none, below it.
+    fn name(&mut self, piece: &Piece) -> Option<Bounds> {
+        let bounds = bounds(piece)?;
         let q = piece.quantity;
         let size = piece.size.as_ref().map(|s| self.language.fill("size {0}", std::slice::from_ref(s)));
         let words = if q.mirrored > 0 { "cut {0} + {1} mirrored" } else { "cut {0}" };
@@ -300,25 +344,55 @@ impl Pen<'_> {
         let (below, small) = (-1.4 * self.size, 0.85 * self.size);
         let lines = [(0.0, 1.15 * self.size, piece.name.as_str()), (below, small, &cut), (1.9 * below, small, &area)];
         let centre = (bounds.min + bounds.max) * 0.5 + self.move_by;
-        let places = around(centre, bounds.size(), 1.5 * self.size);
-        let at = self.labels.place(&places, &lines).unwrap_or(centre);
+        let points = &piece.outline.points;
+        let rough = points.iter().step_by(points.len().div_ceil(NAME_POINTS).max(1));
+        let line: Vec<Vec2> = rough.map(|p| self.at(p.at)).collect();
+        let places = around(centre, bounds.size(), 1.3 * self.size);
+        let inside = self.labels.free(&places, &lines, |room| is_inside(&line, room));
+        let under = Vec2::new(centre.x, self.move_by.y + bounds.min.y - 1.6 * self.size);
+        let at = inside.unwrap_or(under);
         for ((above, size, text), class) in lines.into_iter().zip(["name", "label", "label"]) {
             self.canvas.text(class, at + Vec2::new(0.0, above), size, text);
         }
+        inside.is_none().then(|| room(at, &lines))
     }
+}
+
+/// The box of a piece, with its name where that stands below it.
+fn with_name(piece: &Piece, bounds: Bounds, size: f64, language: Language) -> Bounds {
+    let (mut canvas, move_by, labels) = (Canvas::default(), Vec2::zeros(), Labels::default());
+    let below = Pen { canvas: &mut canvas, move_by, size, labels, language, number: None }.piece(piece);
+    let all = [Some(bounds), below].into_iter().flatten().flat_map(|b| [b.min, b.max]);
+    Bounds::of(all).unwrap_or(bounds)
+}
+
+/// Does a rectangle lie inside a closed line? Its corners and the middles of its sides are looked at.
+fn is_inside(line: &[Vec2], room: &Bounds) -> bool {
+    let (low, high, middle) = (room.min, room.max, (room.min + room.max) * 0.5);
+    let xs = [low.x, middle.x, high.x];
+    xs.into_iter().flat_map(|x| [low.y, middle.y, high.y].map(|y| Vec2::new(x, y))).all(|p| holds(line, p))
+}
+
+/// Does a closed line hold a point?
+fn holds(line: &[Vec2], p: Vec2) -> bool {
+    let next = line.iter().cycle().skip(1);
+    let crosses =
+        |(a, b): &(&Vec2, &Vec2)| (a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) * (b.x - a.x) / (b.y - a.y);
+    line.iter().zip(next).filter(crosses).count() % 2 == 1
 }
 
 /// Places around the middle of a rectangle, the nearest first, within its middle part.
 fn around(centre: Vec2, size: Vec2, step: f64) -> Vec<Vec2> {
-    let count = |length: f64| ((0.3 * length / step) as i32).min(NAME_PLACES);
+    let count = |length: f64| ((0.45 * length / step) as i32).min(NAME_PLACES);
     let (wide, high) = (count(size.x), count(size.y));
     let mut steps: Vec<(i32, i32)> = (-high..=high).flat_map(|y| (-wide..=wide).map(move |x| (x, y))).collect();
     steps.sort_by_key(|(x, y)| (x * x + y * y, *y, *x));
     steps.into_iter().map(|(x, y)| centre + Vec2::new(f64::from(x), f64::from(y)) * step).collect()
 }
 
-/// Half-way point of an edge and the direction into the cloth (the left of a counter-clockwise outline).
-fn middle(outline: &PieceLine, edge: &OutlineEdge) -> Option<(Vec2, Vec2)> {
+/// The point of an edge at a share of its length, and the direction into the cloth (the left of a counter-clockwise
+/// outline).
+fn on_edge(outline: &PieceLine, edge: &OutlineEdge, share: f64) -> Option<(Vec2, Vec2)> {
     let n = outline.points.len();
     let (from, to) = (edge.from as usize, edge.to as usize);
     if from >= n || to >= n {
@@ -327,7 +401,7 @@ fn middle(outline: &PieceLine, edge: &OutlineEdge) -> Option<(Vec2, Vec2)> {
     let count = if to > from { to - from } else { to + n - from };
     let point = |k: usize| outline.points[(from + k) % n].at;
     let total: f64 = (0..count).map(|k| (point(k + 1) - point(k)).norm()).sum();
-    let mut left = 0.5 * total;
+    let mut left = share * total;
     for k in 0..count {
         let step = point(k + 1) - point(k);
         let length = step.norm();
@@ -341,7 +415,8 @@ fn middle(outline: &PieceLine, edge: &OutlineEdge) -> Option<(Vec2, Vec2)> {
 }
 
 /// Direction into the cloth at the segment of a closed line nearest to a point.
-fn inward_normal(line: &PieceLine, at: Vec2) -> Vec2 {
+#[must_use]
+pub fn inward_normal(line: &PieceLine, at: Vec2) -> Vec2 {
     let n = line.points.len();
     let mut best = (f64::INFINITY, Vec2::new(0.0, 1.0));
     for k in 0..n {
@@ -385,6 +460,7 @@ fn legend(canvas: &mut Canvas, at: Vec2, width: f64, size: f64, has_ways: bool, 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use toile_garment::notch::Notch;
     use toile_garment::outline::{LinePoint, PointKind};
 
     fn square(name: &str) -> Piece {
@@ -415,7 +491,7 @@ mod tests {
 
     #[test]
     fn labels_lie_inside_the_cloth() {
-        let (at, inward) = middle(&square("a").outline, &square("a").edges[1]).expect("edge");
+        let (at, inward) = on_edge(&square("a").outline, &square("a").edges[1], 0.5).expect("edge");
         assert!((at - Vec2::new(0.2, 0.15)).norm() < 1e-12 && (inward - Vec2::new(-1.0, 0.0)).norm() < 1e-12);
         assert!((inward_normal(&square("a").outline, Vec2::new(0.1, 0.301)) - Vec2::new(0.0, -1.0)).norm() < 1e-12);
     }
@@ -453,7 +529,8 @@ mod tests {
     /// Place, half width and half height of a label on a piece; half letters are narrow here.
     fn label(line: &str) -> Option<[f64; 4]> {
         let value = |key: &str| line.split_once(&format!("{key}=\""))?.1.split_once('"')?.0.parse::<f64>().ok();
-        let is_one = ["edge", "dartname", "name"].iter().any(|c| line.contains(&format!("<text class=\"{c}\"")));
+        let is_one =
+            ["edge", "dartname", "notchname", "name"].iter().any(|c| line.contains(&format!("<text class=\"{c}\"")));
         let text = line.split_once('>')?.1.split_once('<')?.0;
         let size = value("font-size")?;
         let half = 0.25 * size * text.chars().count() as f64;

@@ -23,10 +23,11 @@ pub(super) fn table(garment: &Garment) -> Option<(String, Value)> {
     let mut text = format!("edges{size} as they are sewn; a sewing file names them so\n");
     let _ = writeln!(text, "{:<width$} {:>9}  {:<28} as long", "edge", "mm", "notches, mm from its start");
     for edge in &all {
-        let notches: Vec<String> = edge.notches.iter().map(|n| format!("{:.1}", n * 1e3)).collect();
+        let notches = edge.labels.iter().zip(&edge.notches);
+        let notches: Vec<String> = notches.map(|(label, way)| format!("{label} {:.1}", way * 1e3)).collect();
         let fits: Vec<&str> = fits(&all, edge).map(|e| e.name.as_str()).collect();
         let row =
-            format!("{:<width$} {:>9.1}  {:<28} {}", edge.name, edge.length * 1e3, notches.join(" "), fits.join(" "));
+            format!("{:<width$} {:>9.1}  {:<28} {}", edge.name, edge.length * 1e3, notches.join(", "), fits.join(" "));
         let _ = writeln!(text, "{}", row.trim_end());
     }
     Some((text, all.iter().map(|e| value(&all, e)).collect()))
@@ -54,6 +55,7 @@ fn value(all: &[Edge], edge: &Edge) -> Value {
         "edge": edge.name,
         "number": edge.number,
         "length_mm": mm(edge.length),
+        "notches": edge.labels,
         "notches_mm": edge.notches.iter().map(|n| mm(*n)).collect::<Vec<_>>(),
         "as_long": fits(all, edge).map(|e| e.name.as_str()).collect::<Vec<_>>(),
     })

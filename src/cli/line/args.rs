@@ -1,6 +1,6 @@
 //! Options of `toile line`.
 
-use super::super::args::{CacheArgs, Format, positive};
+use super::super::args::{CacheArgs, Format, PageLanguage, positive};
 use crate::line::Rights;
 use clap::{Args, Subcommand};
 use std::path::PathBuf;
@@ -89,6 +89,9 @@ pub struct RunLineArgs {
     /// Folder of the results [default: out/LINE-line]
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
+    /// Language of the page: en or zh.
+    #[arg(long, value_enum, default_value = "en", hide_possible_values = true)]
+    pub language: PageLanguage,
     /// Jobs at once [default: one for each core]
     #[arg(short = 'j', long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub jobs: Option<u16>,
@@ -121,6 +124,9 @@ pub struct ReportArgs {
     /// Folder of the results [default: out/LINE-line]
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
+    /// Language of the page: en or zh.
+    #[arg(long, value_enum, default_value = "en", hide_possible_values = true)]
+    pub language: PageLanguage,
 }
 
 fn choice(text: &str) -> Result<(String, String), String> {

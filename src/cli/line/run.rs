@@ -9,6 +9,7 @@ use crate::line::{Job, Line, Lock, Order, RESULTS_NAME, Ran, Results, Survey, dr
 use rayon::prelude::*;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
+use toile_formats::report::Language;
 use toile_garment::Diagnostic;
 use toile_stage_api::Registry;
 
@@ -52,7 +53,8 @@ pub(super) fn run(args: &RunLineArgs, registry: &mut Registry, stop: &Arc<Stop>,
     let kept = ran.iter().flatten().filter(|r| r.kept).count();
     // What was not wanted this time may be done all the same. It is shown and not judged.
     let ran = (0..line.jobs.len()).map(|k| ran[k].clone().or_else(|| was_run(&order.folder(&line.jobs[k])))).collect();
-    finish(&line, &out, ran, (&wanted, &format!("{kept} of {} were done before; ", wanted.len())), console)
+    let before = format!("{kept} of {} were done before; ", wanted.len());
+    finish(&line, &out, ran, (&wanted, &before), args.language.language(), console)
 }
 
 /// The records tell all, so no job is looked at: that would take longer than many a job.
@@ -69,7 +71,7 @@ pub(super) fn report(args: &ReportArgs, console: &mut Console<'_>) -> Exit {
     }
     let all: Vec<usize> = (0..line.jobs.len()).collect();
     let ran = line.jobs.par_iter().map(|job| was_run_and_drawn(&out, job)).collect();
-    finish(&line, &out, ran, (&all, ""), console)
+    finish(&line, &out, ran, (&all, ""), args.language.language(), console)
 }
 
 /// How a job ended that another program may have run. Such programs draw no picture.
@@ -129,12 +131,13 @@ fn finish(
     out: &Path,
     ran: Vec<Option<Ran>>,
     (judged, before): (&[usize], &str),
+    language: Language,
     console: &mut Console<'_>,
 ) -> Exit {
     let results = Results::collect(line, &ran, out);
     let texts = [
         (RESULTS_NAME, results.to_text()),
-        ("index.html", page::html(&results)),
+        ("index.html", page::html(&results, language)),
         ("line.csv", page::csv(&results)),
         ("line.xml", page::junit(&results)),
     ];

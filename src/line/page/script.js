@@ -4,16 +4,17 @@
   const cards = new Map([...document.querySelectorAll('article')].map((a) => [a.dataset.job, a]));
   const form = document.getElementById('filters');
   const tables = document.getElementById('tables');
+  const say = (english, ...values) => ((WORDS && WORDS[english]) || english).replace(/\{(\d)\}/g, (_, k) => values[k]);
   const make = (name, text) => {
     const node = document.createElement(name);
     if (text !== undefined) node.textContent = text;
     return node;
   };
   const choose = (parent, name, values, first) => {
-    const label = make('label', name + ' ');
+    const label = make('label', say(name) + ' ');
     const select = make('select');
-    if (first !== undefined) select.append(new Option(first, ''));
-    values.forEach((v) => select.append(new Option(v, v)));
+    if (first !== undefined) select.append(new Option(say(first), ''));
+    values.forEach((v) => select.append(new Option(say(v), v)));
     label.append(select);
     parent.append(label);
     select.addEventListener('change', show);
@@ -24,7 +25,7 @@
   const verdict = choose(form, 'verdict', ['passed', 'failed'], 'all');
 
   const bar = make('form');
-  tables.append(make('h1', 'Tables'), bar);
+  tables.append(make('h1', say('Tables')), bar);
   const named = data.figures.filter((f) => f.includes('.')).concat(data.figures.filter((f) => !f.includes('.')));
   const figure = choose(bar, 'figure', named);
   const rows = choose(bar, 'rows', axes);
@@ -104,7 +105,7 @@
     const jobs = data.jobs.filter(wanted);
     const names = new Set(jobs.map((j) => j.job));
     cards.forEach((card, name) => { card.hidden = !names.has(name); });
-    document.getElementById('count').textContent = `${jobs.length} of ${data.jobs.length} jobs`;
+    document.getElementById('count').textContent = say('{0} of {1} jobs', jobs.length, data.jobs.length);
     const all = series(jobs);
     grid.replaceChildren(table(all), chart(all));
   }

@@ -3,6 +3,8 @@
 use super::colour::colour;
 use std::fmt::Write as _;
 use toile_formats::svg::canvas::escape as escaped;
+use toile_formats::svg::inward_normal;
+use toile_garment::notch::Notch;
 use toile_garment::outline::OutlineEdge;
 use toile_garment::{Piece, Vec2};
 use toile_stages::proposal::{Proposal, ProposedSeam};
@@ -17,6 +19,8 @@ const SMALL: f64 = 240.0;
 const MARGIN: f64 = 26.0;
 /// Lengths that differ by less are one, metres.
 const SAME_LENGTH: f64 = 1e-5;
+/// Distance of the label of a notch from it, pixels.
+const NOTCH_LABEL: f64 = 11.0;
 /// Length of the arrow on an edge, pixels.
 const ARROW: f64 = 8.0;
 
@@ -94,9 +98,8 @@ pub fn figure(out: &mut String, drawn: &Drawn<'_>) {
         frame.path(&points)
     );
     seams(out, proposal, piece, &frame);
-    for notch in piece.notches.iter().filter(|n| n.is_on_edge()) {
-        let (x, y) = frame.at(notch.at);
-        let _ = writeln!(out, "<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"3\" fill=\"#7a1fa2\"/>");
+    for (notch, label) in piece.notches.iter().zip(piece.notch_labels()).filter(|(n, _)| n.is_on_edge()) {
+        marked(out, piece, notch, &label, &frame);
     }
     for edge in &piece.edges {
         let along = along(&points, edge);
@@ -119,6 +122,20 @@ fn seams(out: &mut String, proposal: &Proposal, piece: &Piece, frame: &Frame) {
             );
         }
     }
+}
+
+/// A notch with its label, inside the piece.
+fn marked(out: &mut String, piece: &Piece, notch: &Notch, label: &str, frame: &Frame) {
+    let (x, y) = frame.at(notch.at);
+    let inward = inward_normal(&piece.outline, notch.at);
+    let _ = writeln!(
+        out,
+        "<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"3\" fill=\"#7a1fa2\"/>\n\
+         <text x=\"{:.1}\" y=\"{:.1}\" font-size=\"9\" fill=\"#7a1fa2\" text-anchor=\"middle\" pointer-events=\"none\">{}</text>",
+        x + inward.x * NOTCH_LABEL,
+        y - inward.y * NOTCH_LABEL + 3.0,
+        escaped(label)
+    );
 }
 
 /// The points of an edge, from its start to its end.

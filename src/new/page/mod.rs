@@ -28,42 +28,70 @@ const SURE: f64 = 0.9;
 const STYLE: &str = include_str!("start.css");
 const SCRIPT: &str = include_str!("start.js");
 
+/// Words of the script.
+const SCRIPT_WORDS: [&str; 10] = [
+    "{0} mm on {1} mm.",
+    "The longer side is gathered.",
+    "These seams of the file are on the same edges; remove those that are wrong: {0}.",
+    "If `toile check` says that the order contradicts, list the edges of one side the other way round.",
+    "{0} from {1} to {2}",
+    "start",
+    "end",
+    "notch {0}",
+    "Copied",
+    "Copy the lines",
+];
+
 /// The page.
-pub fn page(source: &Source, proposal: &Proposal, dressed: &Dressed, body: Option<&Body>) -> String {
-    let piece_words = |k: usize| piece_words(source, dressed, k);
-    let seam_words = |k: usize| seam_words(proposal, k);
+pub fn page(
+    source: &Source,
+    proposal: &Proposal,
+    dressed: &Dressed,
+    body: Option<&Body>,
+    language: Language,
+) -> String {
+    let piece_words = |k: usize| piece_words(source, dressed, k, language);
+    let seam_words = |k: usize| seam_words(proposal, k, language);
     let view = on_body(&source.garment, proposal, dressed, body, [&piece_words, &seam_words]);
     let title = source.file_name();
     let mut out = String::new();
-    viewer::open(&mut out, &title, Language::English, STYLE);
+    viewer::open(&mut out, &title, language, STYLE);
     out.push_str("<div class=\"first\">\n");
-    figure(&mut out, source, proposal, dressed, body);
+    figure(&mut out, source, proposal, (dressed, body), language);
     let _ = writeln!(out, "<section>\n<h1>{}: what the program proposes</h1>", escaped(&title));
     left_out(&mut out, source);
     verdict(&mut out, source, proposal);
     table::seams(&mut out, source, proposal);
     openings::list(&mut out, source, proposal, dressed);
     out.push_str("</section>\n</div>\n");
-    pieces(&mut out, source, proposal, dressed, &view);
-    viewer::close(&mut out, &view.scene, view.model.as_deref(), SCRIPT);
-    out
+    pieces(&mut out, source, proposal, dressed, &view, language);
+    let script = format!("const WORDS = {};\n{SCRIPT}", language.script_words(&SCRIPT_WORDS));
+    viewer::close(&mut out, &view.scene, view.model.as_deref(), &script);
+    language.page(&out)
 }
 
 /// A piece with its role, for people.
-fn piece_words(source: &Source, dressed: &Dressed, k: usize) -> String {
-    let role = dressed.roles.get(k).map(|r| r.words()).filter(|w| !w.is_empty());
+fn piece_words(source: &Source, dressed: &Dressed, k: usize, language: Language) -> String {
+    let told = |words: String| words.split(' ').map(|w| language.say(w).to_owned()).collect::<Vec<_>>().join(" ");
+    let role = dressed.roles.get(k).map(|r| told(r.words())).filter(|w| !w.is_empty());
     let name = &source.garment.pieces[k].name;
     role.map_or_else(|| name.clone(), |role| format!("{name} ({role})"))
 }
 
 /// A seam with its lengths, for people.
-fn seam_words(proposal: &Proposal, k: usize) -> String {
+fn seam_words(proposal: &Proposal, k: usize, language: Language) -> String {
     let seam = &proposal.seams[k];
-    let [a, b] = [seam.length_a, seam.length_b].map(|x| x * 1e3);
-    format!("{}: {a:.0} mm on {b:.0} mm, {:.0} % sure", seam.name, seam.confidence * 100.0)
+    let [a, b, sure] = [1e3 * seam.length_a, 1e3 * seam.length_b, 100.0 * seam.confidence].map(|x| format!("{x:.0}"));
+    language.fill("{0}: {1} mm on {2} mm, {3} % sure", &[seam.name.clone(), a, b, sure])
 }
 
-fn figure(out: &mut String, source: &Source, proposal: &Proposal, dressed: &Dressed, body: Option<&Body>) {
+fn figure(
+    out: &mut String,
+    source: &Source,
+    proposal: &Proposal,
+    (dressed, body): (&Dressed, Option<&Body>),
+    language: Language,
+) {
     let still = still::views(&source.garment, proposal, dressed, body);
     if still.is_empty() {
         out.push_str("<p>No piece has a place on the body yet.</p>\n");
@@ -80,7 +108,7 @@ fn figure(out: &mut String, source: &Source, proposal: &Proposal, dressed: &Dres
         ways: ["flat pieces", "on the body"],
         invitation: "Click a piece or a seam, here, in the table or in a drawing. Drag turns the view.",
     };
-    viewer::figure(out, &figure, Language::English);
+    viewer::figure(out, &figure, language);
 }
 
 /// What a person should do next.
@@ -120,10 +148,18 @@ fn left_out(out: &mut String, source: &Source) {
     );
 }
 
-fn pieces(out: &mut String, source: &Source, proposal: &Proposal, dressed: &Dressed, view: &OnBody) {
+fn pieces(
+    out: &mut String,
+    source: &Source,
+    proposal: &Proposal,
+    dressed: &Dressed,
+    view: &OnBody,
+    language: Language,
+) {
     out.push_str(
         "<h2>Pieces</h2>\n<p>The small numbers are those of the edges: <code>PIECE.3</code> is edge 3 of PIECE. The \
-         arrow beside a number shows where the edge goes; its notches, the purple dots, count from its start. A \
+         arrow beside a number shows where the edge goes. The purple dots are notches: <code>PIECE.n1</code> is notch 1 of \
+         PIECE, along the whole outline, and in the file <code>notch 1</code> is the first one on an edge, from its start. A \
          <code>[[place]]</code> with <code>piece</code> and <code>move = [\"0 mm\", \"30 mm\", \"0 mm\"]</code> in the \
          file moves a piece to the wearer's left, up and to the front.</p>\n",
     );
@@ -132,7 +168,7 @@ fn pieces(out: &mut String, source: &Source, proposal: &Proposal, dressed: &Dres
     let garment = &source.garment;
     let edges = shapes(garment).map(|s| edges(garment, &s)).unwrap_or_default();
     for (index, piece) in garment.pieces.iter().enumerate() {
-        let words = piece_words(source, dressed, index);
+        let words = piece_words(source, dressed, index, language);
         let number = view.numbers.get(index).copied().flatten();
         drawings::figure(out, &Drawn { proposal, piece, edges: &edges, words, number });
     }

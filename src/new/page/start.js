@@ -4,6 +4,7 @@
   const one = (selector) => document.querySelector(selector);
   const edges = [...document.querySelectorAll(".edge")];
   const sides = { a: [], b: [] };
+  const say = (english, ...values) => ((WORDS && WORDS[english]) || english).replace(/\{(\d)\}/g, (_, k) => values[k]);
   const EQUAL = 0.5, GATHERED = 1.1;
   one("#composer").hidden = false;
 
@@ -34,7 +35,8 @@
     const dot = e.name.lastIndexOf(".");
     return `{ piece = ${JSON.stringify(e.name.slice(0, dot))}, edge = ${e.name.slice(dot + 1)}, from = "${e.from}", to = "${e.to}" }`;
   }
-  const words = (e) => (isWhole(e) ? e.name : `${e.name} from ${e.from} to ${e.to}`);
+  const place = (text) => (text.startsWith("notch ") ? say("notch {0}", text.slice(6)) : say(text));
+  const words = (e) => (isWhole(e) ? e.name : say("{0} from {1} to {2}", e.name, place(e.from), place(e.to)));
 
   // The lines, as `toile new` would write them.
   function lines() {
@@ -51,10 +53,10 @@
   function told() {
     const [a, b] = [long(sides.a), long(sides.b)];
     const taken = [...new Set([...sides.a, ...sides.b].flatMap((e) => (e.dataset.seams ? e.dataset.seams.split("|") : [])))];
-    const out = [`${a.toFixed(1)} mm on ${b.toFixed(1)} mm.`];
-    if (Math.max(a, b) / Math.min(a, b) > GATHERED) out.push("The longer side is gathered.");
-    if (taken.length) out.push(`These seams of the file are on the same edges; remove those that are wrong: ${taken.join(", ")}.`);
-    if (sides.a.length + sides.b.length > 2) out.push("If `toile check` says that the order contradicts, list the edges of one side the other way round.");
+    const out = [say("{0} mm on {1} mm.", a.toFixed(1), b.toFixed(1))];
+    if (Math.max(a, b) / Math.min(a, b) > GATHERED) out.push(say("The longer side is gathered."));
+    if (taken.length) out.push(say("These seams of the file are on the same edges; remove those that are wrong: {0}.", taken.join(", ")));
+    if (sides.a.length + sides.b.length > 2) out.push(say("If `toile check` says that the order contradicts, list the edges of one side the other way round."));
     return out.join(" ");
   }
 
@@ -103,7 +105,7 @@
   // A page that is opened from a disk may not write to the clipboard; then the lines are marked.
   one("#copy").addEventListener("click", () => {
     const mark = () => getSelection().selectAllChildren(one("#lines"));
-    const done = () => { one("#copy").textContent = "Copied"; setTimeout(() => { one("#copy").textContent = "Copy the lines"; }, 1500); };
+    const done = () => { one("#copy").textContent = say("Copied"); setTimeout(() => { one("#copy").textContent = say("Copy the lines"); }, 1500); };
     if (navigator.clipboard) navigator.clipboard.writeText(lines()).then(done, mark);
     else mark();
   });

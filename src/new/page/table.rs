@@ -47,7 +47,7 @@ fn row(out: &mut String, source: &Source, proposal: &Proposal, k: usize) {
     let _ = writeln!(
         out,
         "<tr{class} data-pick=\"seam:{k}\"><td><span class=\"swatch\" style=\"background:{}\"></span>\
-         <button class=\"row\" type=\"button\">{}</button><small>{}</small></td><td>{}<br>↔ {}</td>\
+         <button class=\"row\" type=\"button\" translate=\"no\">{}</button><small>{}</small></td><td>{}<br>↔ {}</td>\
          <td class=\"n\">{:.0} on {:.0}</td><td class=\"n\">{:.0} %</td></tr>",
         colour(k),
         escaped(&seam.name),

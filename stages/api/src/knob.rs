@@ -23,6 +23,8 @@ pub enum Meaning {
     SelfContact,
     /// How often the rest is sought again from shaken starts: a whole number.
     Repeats,
+    /// The study of the pipeline, which a report shows: the path of its file.
+    Study,
 }
 
 /// A parameter of a stage that may be set from outside to trade accuracy for time.

@@ -66,7 +66,7 @@ pub fn verdicts(garment: &Garment, flat: &Flat, t: &FlattenTolerance) -> Result<
 }
 
 fn check(kind: CheckKind, place: &str, value: f64) -> Check {
-    Check { kind, place: place.to_owned(), along: None, value, limit: None }
+    Check { kind, place: place.to_owned(), notch: String::new(), along: None, value, limit: None }
 }
 
 /// The largest of every kind, with what is allowed, in the order of the kinds.
@@ -94,13 +94,19 @@ fn own(source: &Source<'_>, features: &Features, flat: &FlatPiece) -> Vec<Check>
         out.push(check(CheckKind::DartIntake, &dart.name, dart.width[1] - dart.width[0]));
         out.push(check(CheckKind::DartLegs, &dart.name, (new_a - new_b) - (a - b)));
     }
-    out.extend(source.piece.notches.iter().filter_map(|n| notch(features, rest, new, n.at)));
+    let notches = source.piece.notches.iter().zip(labels(source));
+    out.extend(notches.filter_map(|(n, label)| Some(Check { notch: label, ..notch(features, rest, new, n.at)? })));
     let straight = features.edges.iter().filter(|e| e.vertices.len() > 2 && is_straight(rest, &e.vertices));
     out.extend(straight.map(|e| check(CheckKind::Bow, &e.name, bow(new, &e.vertices))));
     let corners = corner_angles(rest, features, [rest, new]).into_iter();
     out.extend(corners.map(|(name, [before, after])| check(CheckKind::Corner, &name, after - before)));
     out.push(check(CheckKind::Grain, "", flat.grain_shift));
     out
+}
+
+/// The labels of the notches, with the piece.
+fn labels(source: &Source<'_>) -> impl Iterator<Item = String> {
+    source.piece.notch_labels().into_iter().map(|label| format!("{}.{label}", source.piece.name))
 }
 
 /// How far a notch moved along its edge.
@@ -138,7 +144,7 @@ fn seams(garment: &Garment, flat: &Flat) -> Vec<(String, Vec<Beside>)> {
 
 /// What the seams of a piece show: its edges and its notches beside those of its partners.
 fn beside_partner(source: &Source<'_>, seams: &[(String, Vec<Beside>)]) -> Vec<Check> {
-    let mut out = Vec::new();
+    let (mut out, labels) = (Vec::new(), labels(source).collect::<Vec<_>>());
     for (name, stations) in seams {
         let own: Vec<(usize, &Beside)> =
             stations.iter().filter_map(|s| Some((side_of(s, source.piece.id)?, s))).collect();
@@ -148,10 +154,10 @@ fn beside_partner(source: &Source<'_>, seams: &[(String, Vec<Beside>)]) -> Vec<C
         };
         let worst = own.iter().max_by(|a, b| a.1.off.abs().total_cmp(&b.1.off.abs()));
         out.extend(worst.map(|s| told(CheckKind::Seam, s)));
-        for notch in &source.piece.notches {
+        for (notch, label) in source.piece.notches.iter().zip(&labels) {
             let far = |(side, s): &(usize, &Beside)| (source.mesh.rest[s.at[*side].vertex as usize] - notch.at).norm();
             let nearest = own.iter().min_by(|a, b| far(a).total_cmp(&far(b))).filter(|s| far(s) < NOTCH_STATION);
-            out.extend(nearest.map(|s| told(CheckKind::NotchPartner, s)));
+            out.extend(nearest.map(|s| Check { notch: label.clone(), ..told(CheckKind::NotchPartner, s) }));
         }
     }
     out

@@ -1,7 +1,7 @@
 //! All edges of all pieces with their lengths, for tables and for proposals of what fits.
 
 use super::lookup;
-use super::marks::notches_on;
+use super::marks::listed_on;
 use super::ring::SAME;
 use super::shapes::Shapes;
 use toile_garment::outline::OutlineEdge;
@@ -23,15 +23,21 @@ pub struct Edge {
     pub length: f64,
     /// Sewn ways of its notches from its start, m.
     pub notches: Vec<f64>,
+    /// The labels of these notches, as `n3`.
+    pub labels: Vec<String>,
 }
 
 /// All edges that are sewn; the legs of a dart are none.
 #[must_use]
 pub fn edges(garment: &Garment, shapes: &Shapes) -> Vec<Edge> {
-    garment.pieces.iter().flat_map(|p| p.edges.iter().filter_map(move |e| edge(garment, shapes, p, e))).collect()
+    let of_piece = |piece: &Piece| {
+        let labels = piece.notch_labels();
+        piece.edges.iter().filter_map(|e| edge(garment, shapes, (piece, &labels), e)).collect::<Vec<_>>()
+    };
+    garment.pieces.iter().flat_map(of_piece).collect()
 }
 
-fn edge(garment: &Garment, shapes: &Shapes, piece: &Piece, edge: &OutlineEdge) -> Option<Edge> {
+fn edge(garment: &Garment, shapes: &Shapes, (piece, labels): (&Piece, &[String]), edge: &OutlineEdge) -> Option<Edge> {
     let label = edge.name.clone().unwrap_or_else(|| edge.index.to_string());
     let spec = RunSpec::Edge { piece: piece.name.clone(), edge: label.clone() };
     let run = lookup::run(garment, shapes, &spec, None).ok()?;
@@ -39,13 +45,15 @@ fn edge(garment: &Garment, shapes: &Shapes, piece: &Piece, edge: &OutlineEdge) -
     let ring = shape.rings.get(run.ring)?;
     let length = ring.sewn_ahead(run.from, run.to);
     let middle = run.from + 0.5 * ring.ahead(run.from, run.to);
+    let notches = listed_on(piece, shape, [run.from, run.to]);
     (length > SAME && ring.gap_around(middle).is_none()).then(|| Edge {
         name: format!("{}.{label}", piece.name),
         number: edge.index,
         piece: run.piece,
         middle,
         length,
-        notches: notches_on(piece, shape, [run.from, run.to]),
+        notches: notches.iter().map(|(_, way)| *way).collect(),
+        labels: notches.iter().map(|(k, _)| labels[*k].clone()).collect(),
     })
 }
 

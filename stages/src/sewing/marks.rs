@@ -13,10 +13,15 @@ pub const AT_END: f64 = 1.5e-3;
 
 /// Ring positions of the notches of a piece: (ring, arc position).
 pub fn on_rings(piece: &Piece, shapes: &PieceShape) -> Vec<(usize, f64)> {
+    on_outline(piece, shapes).into_iter().map(|(_, s)| (0, s)).collect()
+}
+
+/// The notches of a piece on its outer ring: index in its list, and arc position.
+pub fn on_outline(piece: &Piece, shapes: &PieceShape) -> Vec<(usize, f64)> {
     let reach = if piece.cut_line.is_some() { ALLOWANCE } else { OFF_LINE };
     let Some(ring) = shapes.rings.first() else { return Vec::new() };
     let mut out = Vec::new();
-    for notch in piece.notches.iter().filter(|n| n.is_on_edge()) {
+    for (k, notch) in piece.notches.iter().enumerate().filter(|(_, n)| n.is_on_edge()) {
         let reach = if notch.on == "sew" { OFF_LINE } else { reach };
         let (s, distance) = ring.project(notch.at);
         let at_mouth = || {
@@ -25,7 +30,7 @@ pub fn on_rings(piece: &Piece, shapes: &PieceShape) -> Vec<(usize, f64)> {
                 || ring.gap_around(s).is_some()
         };
         if distance <= reach && !at_mouth() {
-            out.push((0, s));
+            out.push((k, s));
         }
     }
     out
@@ -33,13 +38,18 @@ pub fn on_rings(piece: &Piece, shapes: &PieceShape) -> Vec<(usize, f64)> {
 
 /// Sewn ways of the notches between two positions on the outer ring, from the first, m. Notches at the ends are left out.
 pub fn notches_on(piece: &Piece, shape: &PieceShape, ends: [f64; 2]) -> Vec<f64> {
+    listed_on(piece, shape, ends).into_iter().map(|(_, way)| way).collect()
+}
+
+/// The same with the index of every notch in the list of its piece.
+pub fn listed_on(piece: &Piece, shape: &PieceShape, ends: [f64; 2]) -> Vec<(usize, f64)> {
     let Some(ring) = shape.rings.first() else { return Vec::new() };
     let walk = ring.ahead(ends[0], ends[1]);
     let walk = if walk < SAME { ring.total() } else { walk };
-    let is_inside = |s: &f64| (AT_END..=walk - AT_END).contains(&ring.ahead(ends[0], *s));
-    let on_edge = on_rings(piece, shape).into_iter().filter(|(r, _)| *r == 0).map(|(_, s)| s);
-    let mut ways: Vec<f64> = on_edge.filter(is_inside).map(|s| ring.sewn_ahead(ends[0], s)).collect();
-    ways.sort_by(f64::total_cmp);
-    ways.dedup_by(|a, b| (*a - *b).abs() < AT_END);
+    let is_inside = |(_, s): &(usize, f64)| (AT_END..=walk - AT_END).contains(&ring.ahead(ends[0], *s));
+    let on_edge = on_outline(piece, shape).into_iter().filter(is_inside);
+    let mut ways: Vec<(usize, f64)> = on_edge.map(|(k, s)| (k, ring.sewn_ahead(ends[0], s))).collect();
+    ways.sort_by(|a, b| a.1.total_cmp(&b.1));
+    ways.dedup_by(|a, b| (a.1 - b.1).abs() < AT_END);
     ways
 }

@@ -55,6 +55,11 @@ pub const WORDS: &[Words] = &[
         "流水线旁的研究结果不能使用：损坏、版本不同或属于其他流水线；精度取自预设。",
         "用 toile study 重新生成。",
     ),
+    (
+        "study-not-shown",
+        "流水线旁或所指定的精度研究不属于现在的服装：文件、参数或程序已改变，页面不显示其图表。",
+        "用 toile study 重新生成，或移走该文件。",
+    ),
     ("compare-no-drape", "本程序的方法没有得到悬垂，无法衡量其他方法。", "先使服装能悬垂。"),
     // Lines, tests, bundles, cache.
     (

@@ -14,6 +14,7 @@
   document.body.classList.toggle("live", !!viewer);
 
   const state = { picked: null };
+  const LISTS = { TR: "table", LI: "list" };
   // Places that findings name. A mark stands for the piece or seam that it is about, too.
   const marks = data.marks || [], markOf = (name) => marks.find((m) => m.pick === name);
   function pick(name, from) {
@@ -28,17 +29,16 @@
     const marked = found ? all("[data-pick]").filter((e) => [found, target].includes(e.dataset.pick)) : [];
     marked.forEach((e) => e.classList.add("picked"));
     said.textContent = found ? data.names[found] : said.dataset.empty;
-    const row = marked.find((e) => e.tagName === (mark ? "LI" : "TR"));
+    const row = marked.find((e) => LISTS[e.tagName] && e.dataset.pick === found);
     if (row && !["table", "list"].includes(from)) {
       const folded = row.closest("details");
       if (folded) folded.open = true;
     }
     if (row && from === "drawing") row.scrollIntoView({ block: "nearest" });
-    if (viewer) viewer.show(mark, from === "list");
+    if (viewer) viewer.show(mark, from);
     else if (mark && from === "list") marked.find((e) => e.closest("svg"))?.scrollIntoView({ block: "nearest" });
   }
 
-  const LISTS = { TR: "table", LI: "list" };
   function listen(e) {
     const from = LISTS[e.tagName] || "drawing";
     const go = (event) => {
@@ -64,6 +64,7 @@
     }),
     pick,
     at: (x, y) => (viewer ? viewer.at(x, y) : null),
+    screen: (name) => (viewer && markOf(name)?.at ? viewer.place(markOf(name)) : null),
     value: (x, y) => (viewer ? viewer.valueAt(x, y) : null),
     section: (height) => (viewer ? viewer.section(height).length : null),
   };
@@ -176,29 +177,62 @@
     stage.append(pin);
     return [pin, mark];
   });
+  // The labels of the edges and notches of a piece that is picked, as the drawing has them.
+  let tags = [];
+  function tag(name) {
+    tags.forEach(([label]) => label.remove());
+    const piece = /^(?:piece|notch):(\d+)/.exec(name || "");
+    const own = piece ? (data.tags || []).filter(([, , at]) => at[0] === Number(piece[1])) : [];
+    tags = own.map(([text, isNotch, at]) => {
+      const label = Object.assign(document.createElement("span"), { textContent: text, className: isNotch ? "tag notch" : "tag" });
+      label.ariaHidden = "true";
+      stage.append(label);
+      return [label, { at }];
+    });
+  }
+
+  // A notch is picked by a click near it: on its own piece, on the other side of its seam, or just beside the cloth.
+  function notchAt(x, y, under) {
+    const camera = viewer.camera(), near = 9 * ratio();
+    const far = (m) => {
+      const [left, top] = viewer.onScreen(placed(m), camera);
+      return Math.hypot(left - x, top - y) + (m.target === under ? 0 : 0.5 * near) + (isBehind(m, camera) ? 4 * near : 0);
+    };
+    const notches = viewer.atRest() ? marks.filter((m) => m.at && m.pick.startsWith("notch:")) : [];
+    const [best] = notches.map((m) => [far(m), m.pick]).sort((a, b) => a[0] - b[0]);
+    return best && best[0] < near ? best[1] : under;
+  }
+
   let shown = null;
-  const put = (element, mark, camera) => {
+  const placed = (mark) => {
     const [piece, [x, y, z, u, v]] = mark.at;
-    const now = pose(viewer.model.surfaces[piece].frame, viewer.share, viewer.lay());
-    const [left, top] = viewer.onScreen(posed(now, [x, y, z], [u, v]), camera);
+    return posed(pose(viewer.model.surfaces[piece].frame, viewer.share, viewer.lay()), [x, y, z], [u, v]);
+  };
+  const isBehind = (mark, camera) => {
+    const [x, , z] = mark.at[1], { middle } = viewer.worn;
+    return viewer.share > 0.5 && dot([x - middle[0], 0, z - middle[2]], camera.toward) < 0;
+  };
+  const put = (element, mark, camera) => {
+    const [left, top] = viewer.onScreen(placed(mark), camera);
     element.style.left = `${left / ratio()}px`;
     element.style.top = `${top / ratio()}px`;
-    const { middle } = viewer.worn, out = [x - middle[0], 0, z - middle[2]];
-    element.classList.toggle("behind", viewer.share > 0.5 && dot(out, camera.toward) < 0);
+    element.classList.toggle("behind", isBehind(mark, camera));
   };
   viewer.painted = (camera) => {
-    pins.forEach(([pin, mark]) => put(pin, mark, camera));
+    [...pins, ...tags].forEach(([pin, mark]) => put(pin, mark, camera));
     spot.hidden = !shown;
     if (shown) put(spot, shown, camera);
   };
-  viewer.show = (mark, scroll) => {
+  viewer.place = (mark) => viewer.onScreen(placed(mark), viewer.camera());
+  viewer.show = (mark, from) => {
     shown = mark && mark.at ? mark : null;
-    if (shown) {
+    tag(state.picked);
+    if (shown && from !== "view" && viewer.share > 0.5) {
       // From the side on which the place lies, a little from above.
       const [x, , z] = shown.at[1], { middle } = viewer.worn;
       viewer.look("front");
       Object.assign(viewer, { turn: (Math.atan2(x - middle[0], z - middle[2]) * 180) / Math.PI, rise: 15, view: "free" });
-      if (scroll) canvas.scrollIntoView({ block: "nearest" });
+      if (from === "list") canvas.scrollIntoView({ block: "nearest" });
     }
     viewer.draw();
   };
@@ -235,7 +269,7 @@
     if (e.type !== "pointerup" || !had || moved > 4) return;
     const box = canvas.getBoundingClientRect();
     const [x, y] = [(e.clientX - box.left) * ratio(), (e.clientY - box.top) * ratio()];
-    pick(viewer.at(x, y), "view");
+    pick(notchAt(x, y, viewer.at(x, y)), "view");
     const value = viewer.valueAt(x, y);
     if (value === null) return;
     const words = [`${viewer.map.name}: ${value.toFixed(2)} ${viewer.map.unit}`];

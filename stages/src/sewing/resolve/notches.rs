@@ -2,33 +2,48 @@
 
 use super::side::Side;
 use crate::sewing::codes;
-use crate::sewing::marks::{AT_END, on_rings};
+use crate::sewing::marks::{AT_END, on_outline};
 use crate::sewing::shapes::Shapes;
 use toile_garment::sewing::SeamSpec;
-use toile_garment::{Diagnostic, Garment};
+use toile_garment::{Diagnostic, Garment, PieceId};
 
 /// Matching notches may differ by this share of the side's length …
 pub const TOLERANCE: f64 = 0.03;
 /// … or by this length, metres.
 const NEAR: f64 = 8e-3;
 
-/// Distances of the notches along a side, its ends left out.
-fn along(garment: &Garment, shapes: &Shapes, side: &Side) -> Vec<f64> {
+/// The notches along a side, its ends left out: the distance of each, its piece, and its index in the list of the piece.
+fn listed(garment: &Garment, shapes: &Shapes, side: &Side) -> Vec<(f64, PieceId, usize)> {
     let mut pieces: Vec<_> = side.spans.iter().map(|s| s.piece).collect();
     pieces.sort_unstable();
     pieces.dedup();
     let mut out = Vec::new();
     for id in pieces {
-        for (ring, s) in on_rings(&garment.pieces[id.index()], &shapes[id.index()]) {
-            out.extend(side.find(shapes, id, ring, s));
+        for (k, s) in on_outline(&garment.pieces[id.index()], &shapes[id.index()]) {
+            out.extend(side.find(shapes, id, 0, s).into_iter().map(|t| (t, id, k)));
         }
     }
     let mut ends = side.starts();
     ends.push(side.length);
-    out.retain(|t| ends.iter().all(|e| (e - t).abs() > AT_END));
-    out.sort_by(f64::total_cmp);
-    out.dedup_by(|a, b| (*a - *b).abs() < AT_END);
+    out.retain(|(t, ..)| ends.iter().all(|e| (e - t).abs() > AT_END));
+    out.sort_by(|a, b| a.0.total_cmp(&b.0));
+    out.dedup_by(|a, b| (a.0 - b.0).abs() < AT_END);
     out
+}
+
+/// Distances of the notches along a side, its ends left out.
+fn along(garment: &Garment, shapes: &Shapes, side: &Side) -> Vec<f64> {
+    listed(garment, shapes, side).into_iter().map(|(t, ..)| t).collect()
+}
+
+/// Names of the notches of a side that are none of those at some distances.
+fn alone(garment: &Garment, shapes: &Shapes, side: &Side, met: &[f64]) -> Vec<String> {
+    let rest = listed(garment, shapes, side).into_iter().filter(|(t, ..)| !met.contains(t));
+    rest.map(|(_, id, k)| {
+        let piece = &garment.pieces[id.index()];
+        format!("`{}.{}`", piece.name, piece.notch_labels()[k])
+    })
+    .collect()
 }
 
 /// Largest difference of relative position when both sides have equally many notches.
@@ -61,12 +76,16 @@ pub fn matched(
         return x.into_iter().zip(y).collect();
     }
     let pairs = nearest_pairs(&x, &y, a.length, b.length, near);
+    let (met_a, met_b): (Vec<f64>, Vec<f64>) = pairs.iter().copied().unzip();
+    let alone = [alone(garment, shapes, a, &met_a), alone(garment, shapes, b, &met_b)].concat();
     let message = format!(
-        "seam `{}` has {} notches on one side and {} on the other, {} of them matched by their place",
+        "seam `{}` has {} notches on one side and {} on the other, {} of them matched by their place; without a \
+         partner: {}",
         spec.name,
         x.len(),
         y.len(),
-        pairs.len()
+        pairs.len(),
+        alone.join(", ")
     );
     notes.push(Diagnostic::info(codes::SEAM_NOTCHES_DIFFER, message).at(spec.source.clone()));
     pairs
