@@ -129,13 +129,21 @@ fn language(page: &[u8]) -> Vec<u8> {
 
 /// The garment in a GLB without copies of what was read, and what else the GLB shows.
 fn garment(glb: &[u8]) -> Value {
+    // One that is packed for the web is for others to read.
+    let name = b"EXT_meshopt_compression";
+    if glb.windows(name.len()).any(|w| w == name) {
+        return json!({ "glb": "packed for the web" });
+    }
     let garment = gltf::read_garment(glb).expect("a garment");
     let mut value = serde_json::to_value(&garment).expect("JSON");
     let inside = gltf::inspect(glb).expect("a GLB");
     if let Some(parts) = value.as_object_mut() {
         AS_READ.iter().for_each(|part| drop(parts.remove(*part)));
-        let is_packed = glb.windows(8).any(|w| w == b"\"packed\"");
-        let shown = json!({ "meshes": inside["meshes"], "materials": inside["materials"], "packed": is_packed });
+        let has = |word: &[u8]| glb.windows(word.len()).any(|w| w == word);
+        let (is_packed, repeats) = (has(b"\"packed\""), !has(b"KHR_texture_transform"));
+        let shown = json!({
+            "meshes": inside["meshes"], "materials": inside["materials"], "packed": is_packed, "repeats": repeats,
+        });
         parts.insert("glb".to_owned(), shown);
     }
     value
