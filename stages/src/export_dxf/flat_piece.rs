@@ -10,28 +10,37 @@ use toile_garment::notch::Notch;
 use toile_garment::outline::PieceLine;
 use toile_garment::{Diagnostic, Piece, Vec2};
 
+/// The outline of a piece where its flattened mesh says.
+///
+/// # Errors
+/// When the piece has no mesh, or mesh and outline do not belong together.
+pub fn flat_outline(piece: &Piece, flat: &FlatPiece) -> Result<Vec<Vec2>, Box<Diagnostic>> {
+    mesh_of(piece, flat)?;
+    moved_outline(piece, &flat.positions).ok_or_else(|| fault(piece, "its mesh does not follow its outline"))
+}
+
 /// Moves outline, cut line, darts and all marks of a piece to where its flattened mesh says.
+///
+/// # Errors
+/// When the piece has no mesh, or mesh and outline do not belong together.
+pub fn flat_piece(piece: &Piece, flat: &FlatPiece) -> Result<Piece, Box<Diagnostic>> {
+    with_outline(piece, flat, &flat_outline(piece, flat)?)
+}
+
+/// Moves all that belongs to a piece behind its outline.
 ///
 /// The outline goes with the mesh, through its darts. The cut line keeps its allowance. Notches follow the line they
 /// sit on; internal lines and cutouts their mesh chains; drill holes, grain and texts the triangle they lie in.
 ///
 /// # Errors
 /// When the piece has no mesh, or mesh and outline do not belong together.
-pub fn flat_piece(piece: &Piece, flat: &FlatPiece) -> Result<Piece, Box<Diagnostic>> {
-    let fault =
-        |what: &str| Box::new(Diagnostic::error(codes::FLAT_DOES_NOT_FIT, format!("piece `{}`: {what}", piece.name)));
-    let mesh = piece.mesh.as_ref().ok_or_else(|| fault("it was flattened without a mesh"))?;
-    let to = &flat.positions;
-    if mesh.rest.len() != to.len() {
-        let (m, f) = (mesh.rest.len(), to.len());
-        return Err(fault(&format!("the mesh has {m} vertices, the flattened piece {f}")));
-    }
-    let moved = moved_outline(piece, to).ok_or_else(|| fault("its mesh does not follow its outline"))?;
+pub fn with_outline(piece: &Piece, flat: &FlatPiece, moved: &[Vec2]) -> Result<Piece, Box<Diagnostic>> {
+    let (mesh, to) = (mesh_of(piece, flat)?, &flat.positions);
     let cloth = |p: Vec2| by_triangle(mesh, to, p).unwrap_or(p);
-    let follow = Follow::new(piece, &moved);
+    let follow = Follow::new(piece, moved);
     let mut out = piece.clone();
     out.mesh = None;
-    set(&mut out.outline, &moved);
+    set(&mut out.outline, moved);
     if let Some(cut) = &mut out.cut_line {
         each(cut, |p| follow.carry(p).0);
     }
@@ -45,7 +54,7 @@ pub fn flat_piece(piece: &Piece, flat: &FlatPiece) -> Result<Piece, Box<Diagnost
         by_chain(line, mesh, to, ChainKind::Cutout, k);
     }
     for dart in &mut out.darts {
-        carry_dart(dart, mesh, to, (&piece.outline.positions(), &moved));
+        carry_dart(dart, mesh, to, (&piece.outline.positions(), moved));
     }
     for hole in &mut out.drill_holes {
         hole.at = cloth(hole.at);
@@ -56,6 +65,17 @@ pub fn flat_piece(piece: &Piece, flat: &FlatPiece) -> Result<Piece, Box<Diagnost
     out.grain = piece.grain.map(|g| g.map(cloth));
     out.fold = None;
     Ok(out)
+}
+
+/// The mesh of a piece, whose vertices were flattened.
+fn mesh_of<'p>(piece: &'p Piece, flat: &FlatPiece) -> Result<&'p PieceMesh, Box<Diagnostic>> {
+    let mesh = piece.mesh.as_ref().ok_or_else(|| fault(piece, "it was flattened without a mesh"))?;
+    let (m, f) = (mesh.rest.len(), flat.positions.len());
+    if m == f { Ok(mesh) } else { Err(fault(piece, &format!("the mesh has {m} vertices, the flattened piece {f}"))) }
+}
+
+fn fault(piece: &Piece, what: &str) -> Box<Diagnostic> {
+    Box::new(Diagnostic::error(codes::FLAT_DOES_NOT_FIT, format!("piece `{}`: {what}", piece.name)))
 }
 
 fn set(line: &mut PieceLine, moved: &[Vec2]) {

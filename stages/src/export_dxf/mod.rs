@@ -2,7 +2,9 @@
 
 mod carry;
 pub(crate) mod codes;
+mod finer;
 mod flat_piece;
+mod images;
 mod outline_map;
 mod quantities;
 mod sewing;
@@ -12,6 +14,7 @@ mod tests;
 use crate::allowance::{self, AllowanceParams, Which};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 use toile_formats::codes::CODE_PAGE_UNKNOWN;
 use toile_formats::dxf::write::{self, Drawing, PieceOptions, StyleText, WriteOptions, piece_drawing};
@@ -20,7 +23,7 @@ use toile_formats::{encoding, rul};
 use toile_garment::{Aspect, Diagnostic, Garment, Piece};
 use toile_stage_api::{Cost, Forecast, Stage, StageContext, StageError, StageInfo};
 
-pub use flat_piece::flat_piece;
+pub use flat_piece::{flat_outline, flat_piece, with_outline};
 
 /// Which form of the standard is written.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
@@ -216,24 +219,28 @@ impl Stage for ExportDxf {
             write_run(pattern, params, cx)?;
             return Ok(garment);
         }
-        let mut pieces = match params.source {
-            DxfSource::Pattern => garment.pieces.clone(),
-            DxfSource::Flat => flat_pieces(&garment)?,
+        let drawn = match params.source {
+            DxfSource::Pattern => Cow::Borrowed(&garment),
+            DxfSource::Flat => finer::finer(&garment),
         };
-        quantities::share(&garment, &mut pieces, cx.report);
+        let mut pieces = match params.source {
+            DxfSource::Pattern => drawn.pieces.clone(),
+            DxfSource::Flat => flat_pieces(&drawn)?,
+        };
+        quantities::share(&drawn, &mut pieces, cx.report);
         allowance::add(params.allowance.as_ref(), &mut pieces, Which::All, cx)?;
         match &params.grade_from {
-            Some(pattern) => write_carried(pattern, &garment, &pieces, params, cx)?,
+            Some(pattern) => write_carried(pattern, &drawn, &pieces, params, cx)?,
             None => {
-                let written = draw(&garment, &pieces, params).map_err(StageError::Input)?;
+                let written = draw(&drawn, &pieces, params).map_err(StageError::Input)?;
                 written.findings.into_iter().for_each(|f| cx.report.push(f));
                 cx.files.write(Path::new(&params.file), &written.bytes)?;
             }
         }
         if let Some(file) = &params.sewing {
             // Before pieces are sewn there are no stitches to follow, and the pieces lie as the plan says.
-            let is_as_planned = params.source == DxfSource::Pattern && garment.seams.is_empty();
-            let plan = if is_as_planned { sewing::unsewn(&garment) } else { sewing::plan(&garment, &pieces) };
+            let is_as_planned = params.source == DxfSource::Pattern && drawn.seams.is_empty();
+            let plan = if is_as_planned { sewing::unsewn(&drawn) } else { sewing::plan(&drawn, &pieces) };
             cx.files.write(Path::new(file), toile_formats::sewing::write::text(&plan, sewing::HEAD).as_bytes())?;
         }
         Ok(garment)
@@ -301,29 +308,31 @@ fn no_flat() -> StageError {
 /// All pieces at their flattened places.
 fn flat_pieces(garment: &Garment) -> Result<Vec<Piece>, StageError> {
     let Some(flat) = &garment.flat else { return Err(no_flat()) };
-    let mut faults = Vec::new();
-    let mut pieces = Vec::with_capacity(garment.pieces.len());
-    for piece in &garment.pieces {
-        let found = flat.pieces.iter().find(|f| f.piece == piece.id);
-        let moved = found.map_or_else(
-            || {
-                Err(Box::new(Diagnostic::error(
-                    codes::FLAT_MISSING,
-                    format!("piece `{}` was not flattened", piece.name),
-                )))
-            },
-            |f| flat_piece(piece, f),
-        );
-        match moved {
-            Ok(piece) => pieces.push(piece),
+    let flat_of = |piece: &Piece| flat.pieces.iter().find(|f| f.piece == piece.id).ok_or_else(|| not_flattened(piece));
+    let flats = all_of(garment.pieces.iter().map(flat_of))?;
+    let both = || garment.pieces.iter().zip(&flats);
+    let mut outlines = all_of(both().map(|(piece, flat)| flat_outline(piece, flat)))?;
+    let images = images::make_one(garment, &flats, &mut outlines);
+    let mut pieces = all_of(both().zip(&outlines).map(|((piece, flat), moved)| with_outline(piece, flat, moved)))?;
+    images::marks_one(garment, &images, &mut pieces);
+    sewing::redraw_pleats(garment, &mut pieces);
+    Ok(pieces)
+}
+
+fn not_flattened(piece: &Piece) -> Box<Diagnostic> {
+    Box::new(Diagnostic::error(codes::FLAT_MISSING, format!("piece `{}` was not flattened", piece.name)))
+}
+
+/// All values, or all faults.
+fn all_of<T>(results: impl Iterator<Item = Result<T, Box<Diagnostic>>>) -> Result<Vec<T>, StageError> {
+    let (mut values, mut faults) = (Vec::new(), Vec::new());
+    for result in results {
+        match result {
+            Ok(value) => values.push(value),
             Err(fault) => faults.push(*fault),
         }
     }
-    if !faults.is_empty() {
-        return Err(StageError::Input(faults));
-    }
-    sewing::redraw_pleats(garment, &mut pieces);
-    Ok(pieces)
+    if faults.is_empty() { Ok(values) } else { Err(StageError::Input(faults)) }
 }
 
 /// The file: bytes and findings.

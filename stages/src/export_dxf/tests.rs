@@ -501,3 +501,32 @@ fn what_cannot_be_carried_to_other_sizes_is_told() {
     assert!((area(&small, &strange) / area(&large, &strange) - 1.0).abs() < 1e-9);
     assert!(area(&large, "FRONT") / area(&small, "FRONT") > 1.02);
 }
+
+#[test]
+fn a_straight_edge_that_became_a_curve_is_written_as_one() {
+    let corners = [(0.0, 0.0, 't'), (200.0, 0.0, 't'), (200.0, 100.0, 't'), (0.0, 100.0, 't')];
+    let mut piece = crate::testing::piece(0, "FRONT", &corners);
+    let rest: Vec<Vec2> = piece.outline.positions().into_iter().chain([mm(100.0, 0.0)]).collect();
+    piece.mesh = Some(PieceMesh {
+        rest: rest.clone(),
+        triangles: vec![[0, 4, 3], [4, 2, 3], [4, 1, 2]],
+        chains: vec![MeshChain { kind: ChainKind::Outline, index: 0, vertices: vec![0, 4, 1, 2, 3], closed: true }],
+        outline_vertex: (0..4).map(Some).collect(),
+        rest_corners: None,
+    });
+    // The middle of the lower edge hangs down by 3 mm, or by less than a straight edge may.
+    let written = |bow: f64| {
+        let to = rest[..4].iter().copied().chain([mm(100.0, -bow)]).collect();
+        let flat = Flat { pieces: vec![flat(to)], ..Flat::default() };
+        let garment = Garment { pieces: vec![piece.clone()], flat: Some(flat), ..Garment::default() };
+        let drawn = finer::finer(&garment);
+        (flat_pieces(&drawn).expect("moved").remove(0), drawn.pieces[0].clone())
+    };
+    let (curved, drawn) = written(3.0);
+    assert_eq!((curved.outline.points.len(), drawn.outline.points.len()), (5, 5));
+    assert_eq!(curved.outline.points[1], LinePoint { at: mm(100.0, -3.0), kind: PointKind::Curve });
+    let ends = |p: &Piece| p.edges.iter().map(|e| [e.from, e.to]).collect::<Vec<_>>();
+    let later = |end: u32| if end == 0 { 0 } else { end + 1 };
+    assert_eq!(ends(&drawn), ends(&piece).iter().map(|e| e.map(later)).collect::<Vec<_>>());
+    assert_eq!(written(0.05).0.outline.points.len(), 4);
+}

@@ -13,7 +13,7 @@ use toile_garment::{Report, Vec2};
 
 /// Bow of a stored edge that still counts as straight, metres. Larger also holds flat curves, smaller misses edges that
 /// a file rounds.
-const STRAIGHT_BOW: f64 = 1e-4;
+pub const STRAIGHT_BOW: f64 = 1e-4;
 /// Change of a bow below which nothing is held, metres.
 const BOW_UNTOUCHED: f64 = 1e-5;
 /// Largest bow that is taken back, metres, and as a share of the edge. A larger one is a curve that the shape asks for.

@@ -21,9 +21,13 @@ const EDIT_WIDTH: f64 = 10.0;
 
 /// The metric of a surface over the stored piece, smoothed by `blur`.
 ///
-/// The square of the roughness is averaged, so what is left of it grows with the fineness of the mesh. Where the shape `before` an edit is known, the edit alone is rough. So it is smoothed first, over a
-/// length of cloth that comes from the size of the roughness. On a mesh whose edges are longer than that, and without
-/// roughness, the edit stays as it is.
+/// The square of the roughness is averaged, so what is left of it grows with the fineness of the mesh. Where the shape
+/// `before` an edit is known, the edit alone is rough. So it is smoothed first, over a length of cloth that comes from
+/// the size of the roughness.
+///
+/// A smoothing cannot be narrower than the mesh: it averages over the triangles around a vertex at least, and so takes
+/// a mesh edge of a real edit for roughness. Where the length of cloth is shorter than the mean mesh edge, and without
+/// roughness, the edit stays as it is. (Smoothed all the same, a clean edit on edges of 8 mm lost 0.1° of a dart.)
 ///
 /// # Errors
 /// When memory runs out.
