@@ -15,6 +15,10 @@ const LARGEST_NEGATIVE_EASE: f64 = 0.25;
 /// An ease that is further from what is asked was measured on other cloth: a transfer is never so far off, metres.
 const JUMP: f64 = 0.06;
 
+/// What keeps heights from having each its own ease.
+const HELD: &str =
+    "; straight edges and right angles are held, and `--lock seams,grain,pleats` lets them follow the body";
+
 /// Ease at one height, metres.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Level {
@@ -110,6 +114,7 @@ pub fn unreached(levels: &[Level], order: &Order, rounds: usize) -> Option<Diagn
     let words: Vec<String> = off.iter().map(words).collect();
     let message = format!("after {rounds} rounds the ease is not as asked: {}", words.join(", "));
     let finding = Diagnostic::error(FIT_NOT_REACHED, message);
-    (!off.is_empty())
-        .then(|| finding.hint("measure the page of the run there, or ask for an ease that the garment can have"))
+    (!off.is_empty()).then(|| {
+        finding.hint(format!("measure the page of the run there, or ask for an ease that the garment can have{HELD}"))
+    })
 }

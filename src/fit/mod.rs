@@ -13,6 +13,7 @@ mod levels;
 mod page;
 mod pipeline;
 mod report;
+mod response;
 mod rounds;
 mod sizes;
 mod trial;

@@ -5,6 +5,7 @@ use super::codes::FIT_NOT_SEWN;
 use super::folder::Folder;
 use super::hem::hems;
 use super::levels::{Level, Round, asked, is_reached, unreached};
+use super::response::Response;
 use super::trial::{Bench, Tried};
 use super::wearing::{Means, Worn};
 use super::{Fitted, OWN_NAME, Order};
@@ -35,6 +36,7 @@ pub fn fit(
     let mut rounds = Vec::new();
     let mut best: Option<Tried> = None;
     let mut broken = None;
+    let mut response = Response::new(levels.len());
     while broken.is_none() {
         let tried = trial.tried(&own.garment, &folder.body, &add, &mut levels, registry);
         let tried = match tried {
@@ -48,16 +50,17 @@ pub fn fit(
         rounds.push(levels.iter().map(|l| (l.name.clone(), l.ease)).collect());
         tell(rounds.len(), &levels);
         let off = tried.off;
+        let [added, ease] = values(&levels, &add);
+        response.learn(&added, &ease);
         if best.as_ref().is_none_or(|b| off < b.off) {
             best = Some(tried);
         }
         if off <= order.within || rounds.len() == order.rounds as usize {
             break;
         }
-        // The measured ease scatters a little from drape to drape, so later corrections take half of what is missing.
-        let step = if rounds.len() == 1 { 1.0 } else { 0.5 };
-        for level in levels.iter().filter(|l| l.is_followed) {
-            *add.entry(level.name.clone()).or_default() += step * (level.asked - level.ease);
+        let missing: Vec<f64> = levels.iter().map(|l| if l.is_followed { l.asked - l.ease } else { 0.0 }).collect();
+        for (level, step) in levels.iter().zip(response.step(&missing)).filter(|(l, _)| l.is_followed) {
+            *add.entry(level.name.clone()).or_default() += step;
         }
     }
     let Some(mut best) = best else { return Err(Halt::new(Vec::new(), Exit::Usage)) };
@@ -73,6 +76,14 @@ pub fn fit(
     let hems = hems(&own.garment, &best.worn);
     let changes = changes(&best.flat);
     Ok(Fitted { levels, rounds, changes, hems, flat: best.flat, worn: best.worn, findings, passed })
+}
+
+/// What was added at every height, and the ease that came of it.
+fn values(levels: &[Level], add: &Round) -> [Vec<f64>; 2] {
+    let added = levels.iter().map(|l| add.get(&l.name).copied().unwrap_or_default());
+    // Where other cloth was measured, the ease says nothing of what was added.
+    let ease = levels.iter().map(|l| if l.is_followed { l.ease } else { f64::NAN });
+    [added.collect(), ease.collect()]
 }
 
 /// The garment on its own body.
