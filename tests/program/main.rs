@@ -23,6 +23,7 @@ mod measured_bodies;
 mod motion;
 mod new;
 mod platform;
+mod princess;
 mod renewed;
 mod silent_settings;
 mod study;

@@ -1,0 +1,87 @@
+//! A princess line over two darts sews to the same surface.
+//!
+//! Two drapes of one pattern on two meshes differ by millimetres, because cloth finds other folds. So the drape of
+//! the bodice with darts is carried onto other meshes of the same cloth, and each comes to rest from there: the
+//! bodice whose front is cut apart along the line, and the uncut one on a mesh that is a little finer.
+//!
+//! `TOILE_EDGE="8 mm"` takes another mesh.
+
+use crate::support;
+use std::path::Path;
+use support::stages::registry;
+use toile::engine::{Memory, Stop, run_alone};
+use toile::study::measure::distance;
+use toile_garment::garment::Shape;
+use toile_garment::{Garment, Report};
+use toile_stages::fit::Surface;
+use toile_stages::flatten::point_location::PointLocation;
+
+/// Cut along a line from the point of the waist dart to that of the bust dart, on both sides.
+const PRINCESS: &str = "{ change = [\
+    { do = \"cut\", piece = \"FRONT\", along = [\"dart-1\", \"dart-2\"], into = { left = \"FRONT\", right = \"SIDE-LEFT\" } }, \
+    { do = \"cut\", piece = \"FRONT\", along = [\"dart-4\", \"dart-3\"], into = { left = \"SIDE-RIGHT\", right = \"FRONT\" } }] }";
+
+/// Runs stages, each with its parameters, on a garment.
+fn through(garment: Garment, stages: &[(&str, &str)]) -> Garment {
+    let samples = Path::new(env!("CARGO_MANIFEST_DIR")).join("samples");
+    let mut files = Memory::default();
+    for (name, from) in [
+        ("bodice.dxf", "patterns/fitted-bodice.astm.dxf"),
+        ("bodice.toml", "patterns/fitted-bodice.sewing.toml"),
+        ("body.obj", "bodies/size-38.obj"),
+        ("body.toml", "bodies/size-38.toml"),
+        ("fabric.toml", "fabrics/cotton-shirting.toml"),
+    ] {
+        files.give(name, std::fs::read(samples.join(from)).expect("sample"));
+    }
+    let (registry, stop) = (registry(), Stop::new());
+    stages.iter().fold(garment, |garment, stage| {
+        run_alone(&registry, *stage, garment, &stop, &mut Report::default(), &mut files).expect(stage.0)
+    })
+}
+
+const IMPORT: (&str, &str) = ("import-dxf", "{ file = \"bodice.dxf\", sewing = \"bodice.toml\", size = \"38\" }");
+const STITCH: (&str, &str) = ("stitch", "{ body = \"body.obj\", fabric = \"fabric.toml\" }");
+
+/// The bodice, meshed and sewn.
+fn sewn(edge: f64, alter: Option<&str>) -> Garment {
+    let mesh = format!("{{ edge_length = \"{edge} mm\" }}");
+    let stages =
+        [Some(IMPORT), alter.map(|a| ("alter", a)), Some(("triangulate", mesh.as_str())), Some(("assemble", "{}"))];
+    through(Garment::default(), &stages.into_iter().flatten().chain([STITCH]).collect::<Vec<_>>())
+}
+
+/// Rest from the shape of another mesh of the same cloth. The parts of the front lie where they lay in it.
+fn rested(mut garment: Garment, from: &Garment) -> Garment {
+    let shapes = &from.drape.as_ref().expect("drape").positions;
+    let carried = |piece: &toile_garment::Piece| {
+        let name = if piece.name.starts_with("SIDE") { "FRONT" } else { piece.name.as_str() };
+        let (whole, shape) = from.pieces.iter().zip(shapes).find(|(p, _)| p.name == name).expect("the piece");
+        let mesh = whole.mesh.as_ref().expect("mesh");
+        let cloth = PointLocation::new(&mesh.rest, &mesh.triangles);
+        piece.mesh.iter().flat_map(|m| &m.rest).map(|p| cloth.interpolate(*p, shape)).collect()
+    };
+    let positions = garment.pieces.iter().map(carried).collect();
+    garment.stitched = Some(Shape { positions, sewn: true, ..Shape::default() });
+    through(garment, &[("drape", "{}")])
+}
+
+#[test]
+fn a_princess_line_over_two_darts_sews_to_the_same_surface() {
+    let edge = std::env::var("TOILE_EDGE").map_or(14.0, |e| e.trim_end_matches(" mm").parse().expect("millimetres"));
+    let first = through(sewn(edge, None), &[("drape", "{}")]);
+    // The way to the first rest is not carried over, so the darts come to rest once more, too.
+    let whole = rested(sewn(edge, None), &first);
+    let (cut, finer) = (rested(sewn(edge, Some(PRINCESS)), &first), rested(sewn(0.97 * edge, None), &first));
+    assert_eq!((whole.pieces.len(), cut.pieces.len()), (2, 4));
+    assert!([&whole, &cut, &finer].iter().all(|g| g.certificate.as_ref().is_some_and(|c| c.passed)));
+    let surface = |g: &Garment| Surface::of(g).expect("surface");
+    let [by_line, by_mesh] = [&cut, &finer].map(|g| distance(&surface(g), &surface(&whole)));
+    println!("edges of {edge} mm; mean, 95 %, largest, mm: princess line {by_line:.3?}, other mesh {by_mesh:.3?}");
+    // The line moves the cloth by less than mesh edges that are 3 % shorter do.
+    assert!(
+        by_line[0] < 1.0 && by_line[0] < by_mesh[0] && by_line[1] < by_mesh[1],
+        "{by_line:?}, other mesh {by_mesh:?}"
+    );
+    assert!(edge != 14.0 || by_line[1] < 1.0, "{by_line:?}");
+}
