@@ -95,3 +95,24 @@ pub fn parts(bytes: &[u8]) -> Vec<Part> {
     };
     gltf["meshes"].as_array().into_iter().flatten().map(read).collect()
 }
+
+/// The same file with every vertex of its meshes moved, as an editor does it.
+pub fn moved(bytes: &[u8], mut to: impl FnMut([f64; 3]) -> [f64; 3]) -> Vec<u8> {
+    let (gltf, binary) = chunks(bytes);
+    let index = |v: &Value| v.as_u64().unwrap_or(0) as usize;
+    let from = bytes.len() - binary.len();
+    let mut out = bytes.to_vec();
+    for mesh in gltf["meshes"].as_array().into_iter().flatten() {
+        let accessor = &gltf["accessors"][index(&mesh["primitives"][0]["attributes"]["POSITION"])];
+        let view = &gltf["bufferViews"][index(&accessor["bufferView"])];
+        let start = from + index(&view["byteOffset"]) + index(&accessor["byteOffset"]);
+        for vertex in out[start..].chunks_exact_mut(12).take(index(&accessor["count"])) {
+            let float = |k: usize| f32::from_le_bytes([vertex[k], vertex[k + 1], vertex[k + 2], vertex[k + 3]]);
+            let place = to([0, 4, 8].map(|k| f64::from(float(k))));
+            for (k, x) in place.into_iter().enumerate() {
+                vertex[4 * k..4 * k + 4].copy_from_slice(&(x as f32).to_le_bytes());
+            }
+        }
+    }
+    out
+}

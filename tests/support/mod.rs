@@ -5,6 +5,7 @@
 pub mod bench;
 pub mod cloth;
 pub mod draped;
+pub mod facts;
 pub mod film;
 pub mod glb;
 pub mod mesh;
