@@ -17,10 +17,13 @@ const SAME_PLACE: f64 = 2e-5;
 /// The points of a line, stored and moved.
 type Line<'l> = [&'l [Vec2]; 2];
 
-/// Averages the moved outlines of pieces that the flattening made one. Gives these pieces and their images.
+/// Averages the moved outlines of pieces that the flattening made one. Gives these pieces and their images. Pieces that
+/// came back as they were stay as they were drawn.
 pub fn make_one(garment: &Garment, flats: &[&FlatPiece], outlines: &mut [Vec<Vec2>]) -> Vec<Image> {
     let positions: Vec<Vec<Vec2>> = flats.iter().map(|f| f.positions.clone()).collect();
-    let images = made_one(garment, &positions);
+    let is_moved = |k: &usize| garment.pieces[*k].mesh.as_ref().is_some_and(|m| m.rest != positions[*k]);
+    let mut images = made_one(garment, &positions);
+    images.retain(|image| [image.p, image.q].iter().any(is_moved));
     for image in &images {
         let before = outlines.to_vec();
         for (p, q, reflection) in both_ways(image) {
