@@ -71,7 +71,8 @@ pub fn plan(garment: &Garment, more: &[String]) -> Cut {
 
 /// The plackets of a garment whose fronts are all whole, from side to side.
 fn plackets_without_slit(known: &[Known<'_>]) -> Vec<String> {
-    let is_front = |k: &&Known<'_>| k.role.part == Some(Part::Bodice) && k.role.facing == Some(Facing::Front);
+    let is_of_trunk = |k: &&Known<'_>| matches!(k.role.part, None | Some(Part::Bodice));
+    let is_front = |k: &&Known<'_>| is_of_trunk(k) && k.role.facing == Some(Facing::Front);
     let mut fronts = known.iter().filter(is_front).peekable();
     let are_whole = fronts.peek().is_some() && fronts.all(|k| k.is_own_image);
     let plackets = known.iter().filter(|k| are_whole && k.role.part == Some(Part::Placket));
