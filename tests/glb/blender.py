@@ -61,7 +61,7 @@ def check(path):
     """Words for all that is wrong with a file."""
     gltf = document(path)
     if "EXT_meshopt_compression" in gltf.get("extensionsRequired", []) and bpy.app.version < (5, 2):
-        print(f"{path}: blender {bpy.app.version_string}: packed, which it cannot read before 5.2")
+        print(f"{path}: blender {bpy.app.version_string}: packed, which it cannot read")
         return []
     bpy.ops.wm.read_factory_settings(use_empty=True)
     bpy.ops.import_scene.gltf(filepath=path)

@@ -7,6 +7,7 @@ use super::dresser::{Dresser, across_segment};
 use super::sheet::Sheet;
 use crate::roles::outline::{Polygon, turned};
 use std::f64::consts::{FRAC_PI_2, PI};
+use std::ops::RangeInclusive;
 use toile_garment::body::BodySegment;
 use toile_garment::{Vec2, Vec3};
 
@@ -20,8 +21,8 @@ const FROM_MIDDLE: f64 = 0.01;
 const ANKLE: f64 = 0.55;
 /// Height of the hem over the lowest point, as a share of the height of the piece. Hems are curved.
 const HEM: f64 = 0.05;
-/// Least sine of half the angle of the cone; below it the piece is as good as straight.
-const NARROWS: f64 = 0.01;
+/// Sines of half the angle of a cone. Below them the piece is as good as straight, and above them it is no leg.
+const NARROWS: RangeInclusive<f64> = 0.01..=0.5;
 
 /// A circular cone about an axis that points from its tip upwards.
 #[derive(Clone, Debug)]
@@ -88,7 +89,7 @@ fn cone(outline: &Polygon, middle: Vec2, leg: &BodySegment, torso: &BodySegment,
     let at_crotch = radius(least(width, thick), width, aside);
     let at_hem = least(width_at(outline, hem)?, ANKLE * thick);
     let sine = (at_crotch - at_hem) / (crotch - hem);
-    if sine.is_nan() || sine < NARROWS || sine > 0.5 {
+    if !NARROWS.contains(&sine) {
         return None;
     }
     let up = (leg.from - leg.to).try_normalize(1e-9)?;
