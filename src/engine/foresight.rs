@@ -87,6 +87,7 @@ pub(super) fn look_ahead(pipeline: &Pipeline<'_>, files: &mut TracedFiles<'_>, s
             seed: pipeline.seed,
             threads: 1,
         };
+        seen.forecast.garment.provenance.stages.push(step.record());
         match ask(step, &mut seen.forecast, &mut cx) {
             Ok(cost) => seen.add(cost),
             // The other stages are asked all the same, so that all mistakes are found at once.

@@ -21,7 +21,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use toile_formats::report::{Language, verdict};
 use toile_garment::garment::EffectRecord;
-use toile_garment::provenance::{InputRecord, StageRecord};
+use toile_garment::provenance::InputRecord;
 use toile_garment::{Diagnostic, Garment, Report};
 use toile_stage_api::{StageContext, StageError};
 
@@ -244,8 +244,7 @@ impl<'a> Run<'a> {
         }
         let checked = self.report.findings.len();
         self.garment.provenance.inputs = self.files.inputs().to_vec();
-        let (stage, id) = (info.name.to_string(), step.id.clone());
-        self.garment.provenance.stages.push(StageRecord { stage, id, revision: info.revision, params: params.clone() });
+        self.garment.provenance.stages.push(step.record());
         let meter = Meter::start();
         let key = self.cache_key(step);
         let restored = key.as_deref().and_then(|key| self.restore(key));

@@ -12,6 +12,7 @@ use super::schema_walk::{FileRole, SchemaTree};
 use crate::codes::NEEDS_NOT_GIVEN;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
+use toile_garment::provenance::StageRecord;
 use toile_garment::{Aspect, Diagnostic, Report, SourceRef};
 use toile_stage_api::{AnyStage, ReadyStage, Registry};
 use toml::Spanned;
@@ -47,6 +48,16 @@ pub struct Step<'r> {
     pub ready: Box<dyn ReadyStage + 'r>,
     /// Those of its parameters that are files.
     pub paths: Vec<PathText>,
+}
+
+impl Step<'_> {
+    /// What the garment keeps of this stage: its name, revision and parameters.
+    #[must_use]
+    pub fn record(&self) -> StageRecord {
+        let info = self.ready.info();
+        let (stage, id) = (info.name.to_string(), self.id.clone());
+        StageRecord { stage, id, revision: info.revision, params: self.ready.params() }
+    }
 }
 
 /// A parameter that is a file.

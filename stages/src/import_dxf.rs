@@ -31,7 +31,8 @@ codes! {
     /// The `profile` asked for is no writer this program knows; the hint lists them. Exit code 2.
     PROFILE_UNKNOWN = "profile-unknown";
 
-    /// A sewing file belongs to one size, and `size` of `import-dxf` is a list. Exit code 2.
+    /// A sewing file belongs to one size, and `size` of `import-dxf` is a list, or `size_run` of `export-dxf` writes all.
+    /// Exit code 2.
     SIZES_WITH_SEWING = "sizes-with-sewing";
 }
 
@@ -89,7 +90,7 @@ pub enum SizeChoice {
 }
 
 /// Parameters of `import-dxf`.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ImportDxfParams {
     /// The DXF, relative to the pipeline file.
@@ -192,16 +193,8 @@ fn pattern(
     garment: Garment,
     cx: &mut StageContext<'_>,
 ) -> Result<(Garment, Vec<UndecidedDart>), StageError> {
-    let file = params.file.to_string_lossy().into_owned();
-    let bytes = cx.files.read(&params.file)?;
-    let table = rule_table(params, cx)?;
-    let rule_units = table.as_ref().and_then(|t| t.units.clone());
-    let options = ReadOptions { rule_units, ..options(params)? };
-    let mut pattern = dxf::read(&bytes, &file, &options).map_err(StageError::Input)?;
-    cx.report.findings.extend(pattern.set_aside());
-    if !params.pieces.is_empty() {
-        pattern.keep_pieces(&params.pieces).map_err(StageError::Parameter)?;
-    }
+    let (pattern, table) = read(params, cx)?;
+    let file = pattern.file.clone();
     // What is undecided is told once the sewing file is known, and of one size alone.
     let is_single = !matches!(params.size, Some(SizeChoice::Many(_)));
     let is_told_now = |f: &Diagnostic| !(is_single && f.code == DART_UNDECIDED);
@@ -215,6 +208,37 @@ fn pattern(
     allowance::add(params.allowance.as_ref(), &mut read.pieces, Which::Missing, cx)?;
     let undecided = undecided(params, &pattern, table.as_ref())?;
     Ok((Garment { style: read.style, size: read.size, pieces: read.pieces, ..garment }, undecided))
+}
+
+/// The pieces of a pattern file that parameters ask for, in all its sizes, and its rule table.
+///
+/// # Errors
+/// The file or its table cannot be read, or a parameter is wrong.
+pub fn read(
+    params: &ImportDxfParams,
+    cx: &mut StageContext<'_>,
+) -> Result<(dxf::Pattern, Option<rul::RuleTable>), StageError> {
+    let file = params.file.to_string_lossy().into_owned();
+    let bytes = cx.files.read(&params.file)?;
+    let table = rule_table(params, cx)?;
+    let rule_units = table.as_ref().and_then(|t| t.units.clone());
+    let options = ReadOptions { rule_units, ..options(params)? };
+    let mut pattern = dxf::read(&bytes, &file, &options).map_err(StageError::Input)?;
+    cx.report.findings.extend(pattern.set_aside());
+    if !params.pieces.is_empty() {
+        pattern.keep_pieces(&params.pieces).map_err(StageError::Parameter)?;
+    }
+    Ok((pattern, table))
+}
+
+/// The parameters by which a garment was made of a pattern file, so that the file is read in the same way again. Another
+/// file is read without any.
+#[must_use]
+pub fn params_of(file: &Path, garment: &Garment) -> ImportDxfParams {
+    let stages = garment.provenance.stages.iter().rev().filter(|s| s.stage == ImportDxf::INFO.name);
+    let mut all = stages.filter_map(|s| serde_json::from_value::<ImportDxfParams>(s.params.clone()).ok());
+    let other = || ImportDxfParams { file: file.to_owned(), ..ImportDxfParams::default() };
+    all.find(|p| p.file == file).unwrap_or_else(other)
 }
 
 /// The sewing file, where there is one.

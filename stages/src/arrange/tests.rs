@@ -260,3 +260,33 @@ fn a_lining_starts_inside_and_a_folded_collar_is_sewn_last() {
     folded[5].folds.push(PressedFold { name: "roll".into(), line, angle: -3.1, pleat: None });
     assert_eq!(sewn_last(&folded, &roles(&folded, &joins), &joins), [5]);
 }
+
+/// A long leg in one piece begins on the inner side of its leg: the threads of its inseam do not lead through the leg.
+#[test]
+fn the_hem_of_a_long_leg_in_one_piece_lies_around_its_leg() {
+    let leg = |s: f64| {
+        let points = [[-106.0, 0.0], [106.0, 0.0], [260.0, 700.0], [205.0, 880.0], [-155.0, 960.0], [-260.0, 700.0]];
+        let all = points.map(|[x, y]| [s * x, y]);
+        if s > 0.0 { all.to_vec() } else { all.into_iter().rev().collect() }
+    };
+    let pieces = vec![piece(0, "LEG", &corners(&leg(1.0))), piece(1, "LEG-M", &corners(&leg(-1.0)))];
+    let inner = |s: f64| [[s * 106.0, 0.0], [s * 260.0, 700.0]];
+    let joins = vec![
+        join("inner right", (0, inner(1.0)), (0, inner(-1.0))),
+        join("inner left", (1, inner(1.0)), (1, inner(-1.0))),
+        join("front crotch", (0, [[260.0, 700.0], [205.0, 880.0]]), (1, [[-260.0, 700.0], [-205.0, 880.0]])),
+        join("back crotch", (0, [[-260.0, 700.0], [-155.0, 960.0]]), (1, [[260.0, 700.0], [155.0, 960.0]])),
+    ];
+    let arrangement = arranged(&pieces, &joins);
+    let form = Form::of(None);
+    for (i, leg) in [(0, &form.legs[1]), (1, &form.legs[0])] {
+        let sheet = &arrangement.places[i].as_ref().expect("a place").sheet;
+        let at = |x: f64, y: f64| sheet.at(v(x, y));
+        // Both ends of the hem lie nearer to the middle than the axis of the leg, and its middle farther.
+        assert!(at(106.0, 0.0).x.abs() < leg.to.x.abs() && at(-106.0, 0.0).x.abs() < leg.to.x.abs(), "{i}");
+        assert!(at(0.0, 0.0).x.abs() > leg.to.x.abs() && at(0.0, 0.0).x * leg.to.x > 0.0, "{i}");
+        // Lengths stay.
+        let crotch = (at(260.0, 700.0) - at(259.0, 700.0)).norm();
+        assert!((crotch - 1e-3).abs() < 1e-6, "{crotch}");
+    }
+}

@@ -12,13 +12,13 @@ mod sewing;
 mod tests;
 
 use crate::allowance::{self, AllowanceParams, Which};
+use crate::import_dxf;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 use toile_formats::codes::CODE_PAGE_UNKNOWN;
 use toile_formats::dxf::write::{self, Drawing, PieceOptions, StyleText, WriteOptions, piece_drawing};
-use toile_formats::dxf::{self, ReadOptions};
 use toile_formats::{encoding, rul};
 use toile_garment::{Aspect, Diagnostic, Garment, Piece};
 use toile_stage_api::{Cost, Forecast, Stage, StageContext, StageError, StageInfo};
@@ -168,6 +168,17 @@ impl ExportDxfParams {
         Ok(WriteOptions { inches: self.units == DxfUnit::Inch, page: page.transpose()? })
     }
 
+    /// Finds what is wrong before anything is read.
+    fn check(&self) -> Result<(), StageError> {
+        self.options().map_err(|f| StageError::parameter(*f))?;
+        if self.size_run.is_some() && self.sewing.is_some() {
+            let text = "a sewing file belongs to one size, and `size_run` writes all of them";
+            let hint = "leave `sewing` out, or write one size: without `size_run`";
+            return Err(StageError::parameter(Diagnostic::error(import_dxf::SIZES_WITH_SEWING, text).hint(hint)));
+        }
+        Ok(())
+    }
+
     /// How pieces are drawn.
     fn piece_options(&self) -> PieceOptions {
         PieceOptions { half_on_fold: self.half_on_fold, mark_darts: self.mark_darts }
@@ -198,9 +209,9 @@ impl Stage for ExportDxf {
         forecast: &mut Forecast,
         cx: &mut StageContext<'_>,
     ) -> Result<Option<Cost>, StageError> {
-        params.options().map_err(|f| StageError::parameter(*f))?;
+        params.check()?;
         match &params.size_run {
-            Some(pattern) => drop(sizes_of(pattern, cx)?),
+            Some(pattern) => drop(sizes_of(pattern, &forecast.garment, cx)?),
             None if params.source == DxfSource::Flat && forecast.garment.flat.is_none() => return Err(no_flat()),
             None => {}
         }
@@ -214,9 +225,9 @@ impl Stage for ExportDxf {
         cx: &mut StageContext<'_>,
     ) -> Result<Garment, StageError> {
         // A wrong code page is found before anything is read or flattened pieces are asked for.
-        params.options().map_err(|f| StageError::parameter(*f))?;
+        params.check()?;
         if let Some(pattern) = &params.size_run {
-            write_run(pattern, params, cx)?;
+            write_run(pattern, &garment, params, cx)?;
             return Ok(garment);
         }
         let drawn = match params.source {
@@ -247,20 +258,21 @@ impl Stage for ExportDxf {
     }
 }
 
-/// All sizes of a pattern file, as drawn or as its rule table grades them.
-fn sizes_of(path: &Path, cx: &mut StageContext<'_>) -> Result<write::Sizes, StageError> {
-    let name = path.to_string_lossy().into_owned();
-    let bytes = cx.files.read(path)?;
-    let pattern = dxf::read(&bytes, &name, &ReadOptions::default()).map_err(StageError::Input)?;
-    let beside = path.with_extension("rul");
-    let table = cx.files.read_optional(&beside)?;
-    let table = table.map(|t| rul::read(&t, &beside.to_string_lossy())).transpose().map_err(StageError::Input)?;
+/// All sizes of a pattern file, as drawn or as its rule table grades them. A file that the garment was made of is read as
+/// it was then: in the same unit, with the same layers and pieces.
+fn sizes_of(path: &Path, garment: &Garment, cx: &mut StageContext<'_>) -> Result<write::Sizes, StageError> {
+    let (pattern, table) = import_dxf::read(&import_dxf::params_of(path, garment), cx)?;
     write::Sizes::new(&pattern, table.as_ref()).map_err(StageError::Input)
 }
 
 /// Writes all sizes of a pattern file, and its grade rules.
-fn write_run(path: &Path, params: &ExportDxfParams, cx: &mut StageContext<'_>) -> Result<(), StageError> {
-    let mut sizes = sizes_of(path, cx)?;
+fn write_run(
+    path: &Path,
+    garment: &Garment,
+    params: &ExportDxfParams,
+    cx: &mut StageContext<'_>,
+) -> Result<(), StageError> {
+    let mut sizes = sizes_of(path, garment, cx)?;
     if params.allowance.is_some() {
         sizes.recut(|pieces| allowance::add(params.allowance.as_ref(), pieces, Which::All, cx))?;
     }
@@ -278,7 +290,7 @@ fn write_carried(
     let before = garment.pieces.iter().cloned();
     let changed: Vec<write::Changed> =
         before.zip(pieces.iter().cloned()).map(|(before, after)| write::Changed { before, after }).collect();
-    let run = sizes_of(path, cx)?.carried(garment.size.as_deref(), &changed, params.piece_options());
+    let run = sizes_of(path, garment, cx)?.carried(garment.size.as_deref(), &changed, params.piece_options());
     write_sizes(run.map_err(StageError::Input)?, params, cx)
 }
 

@@ -1,11 +1,13 @@
 use super::*;
 use std::sync::atomic::AtomicBool;
+use toile_formats::dxf::{self, ReadOptions};
 use toile_garment::dart::{Dart, DartEvidence, DartKind, DartMesh};
 use toile_garment::flat::{Flat, FlatPiece, StrainMap};
 use toile_garment::mesh::{ChainKind, MeshChain, PieceMesh};
 use toile_garment::notch::{Notch, NotchKind};
 use toile_garment::outline::{LinePoint, PieceLine, PointKind};
 use toile_garment::piece::DrillHole;
+use toile_garment::provenance::StageRecord;
 use toile_garment::sewing::{CopySpec, DartSpec, PleatPress, SewingPlan};
 use toile_garment::{PieceId, Report, Vec2};
 use toile_stage_api::{FileError, Files};
@@ -252,6 +254,35 @@ fn a_size_run_is_two_files() {
         assert_eq!((table.sizes, pattern.sizes.len()), (pattern.sizes.clone(), 3));
         assert!(table.rules.len() > 3 && pattern.pieces.iter().any(|p| !p.texts.rules.is_empty()));
     }
+}
+
+#[test]
+fn a_size_run_is_read_as_the_garment_was_imported() {
+    let width = |params: serde_json::Value| {
+        let record = StageRecord { stage: "import-dxf".into(), id: "a".into(), revision: 1, params };
+        let mut garment = Garment::default();
+        garment.provenance.stages.push(record);
+        let params = "file = \"out/run.dxf\"\nsize_run = \"t-shirt.dxf\"";
+        let (result, files, _) = run(garment, &toml::from_str(params).expect("params"));
+        result.expect("written");
+        let pattern = dxf::read(&files.0[0].1, "run.dxf", &ReadOptions::default()).expect("pattern");
+        let xs = pattern.pieces.iter().flat_map(|p| p.boundary.positions()).map(|p| p.x);
+        (xs.fold(0.0, f64::max), pattern.pieces.len())
+    };
+    let plain = width(serde_json::json!({ "file": "t-shirt.dxf" }));
+    let (in_cm, all) = width(serde_json::json!({ "file": "t-shirt.dxf", "units": "cm" }));
+    assert!((in_cm / plain.0 - 10.0).abs() < 1e-3 && all == plain.1, "{in_cm} {plain:?}");
+    let (_, sleeves) = width(serde_json::json!({ "file": "t-shirt.dxf", "pieces": ["SLEEVE"] }));
+    assert_eq!(sleeves, 3, "one piece in three sizes");
+    // Another file was imported: its parameters say nothing of this one.
+    assert_eq!(width(serde_json::json!({ "file": "other.dxf", "units": "cm" })), plain);
+}
+
+#[test]
+fn a_size_run_has_no_sewing_file() {
+    let params = "file = \"run.dxf\"\nsize_run = \"t-shirt.dxf\"\nsewing = \"run.sewing.toml\"";
+    let (result, files, _) = run(Garment::default(), &toml::from_str(params).expect("params"));
+    assert!(result.expect_err("refused").to_string().contains("sizes-with-sewing") && files.0.is_empty());
 }
 
 /// The sample size graded by the rules that were written, and the size drawn: the largest distance of a ruled vertex.
