@@ -142,10 +142,10 @@ fn is_word_of_rib(word: &str) -> bool {
     word.contains("RIB") && !["RIBB", "TRIB", "CRIB"].iter().any(|other| word.contains(other))
 }
 
-/// The first word of the texts of a piece that holds, in capital letters.
+/// The first word of the texts of a piece for which `holds` is true, in capital letters.
 fn word_of(piece: &Piece, holds: impl Fn(&str) -> bool) -> Option<String> {
-    let texts = [&piece.annotation, &piece.category].into_iter().flatten().map(|t| t.to_uppercase());
-    texts.into_iter().find_map(|t| t.split(|c: char| !c.is_alphabetic()).find(|w| holds(w)).map(str::to_owned))
+    let mut texts = [&piece.annotation, &piece.category].into_iter().flatten().map(|t| t.to_uppercase());
+    texts.find_map(|t| t.split(|c: char| !c.is_alphabetic()).find(|w| holds(w)).map(str::to_owned))
 }
 
 /// The longer side of a band, metres: half of what is left of its outline without its two ends.

@@ -11,6 +11,8 @@ use std::ops::RangeInclusive;
 use toile_garment::body::BodySegment;
 use toile_garment::{Vec2, Vec3};
 
+// Evidence: `docs/lab/2026-11-28-public-files.md`. Two leggings (ORILEG) need the cone; no number was varied.
+
 /// Largest share of the way round a leg that its piece covers at the start.
 const COVERED: f64 = 0.8;
 /// Distance of the cloth from the leg, m.
@@ -58,8 +60,9 @@ pub fn lay_on_cone(d: &mut Dresser<'_>, i: usize) {
     let outline = d.outlines[i].map(|p| turned(p, sheet.turn));
     let height = sheet.at(turned(bend.middle, -sheet.turn)).y;
     let from_middle = |p: Vec3| (p.x - d.form.torso.from.x).abs();
-    let lowest = d.outlines[i].points.iter().map(|p| sheet.at(*p)).filter(|p| p.y < hem_height(&sheet, &outline));
-    let innermost = lowest.map(from_middle).fold(f64::INFINITY, f64::min);
+    let hem = hem_height(&sheet, &outline);
+    let at_hem = d.outlines[i].points.iter().map(|p| sheet.at(*p)).filter(|p| p.y < hem);
+    let innermost = at_hem.map(from_middle).fold(f64::INFINITY, f64::min);
     if innermost < from_middle(d.form.legs[side].from) {
         return;
     }
