@@ -14,11 +14,11 @@ use std::time::Instant;
 use toile_cloth::kernels::Kernels;
 use toile_cloth::{Scene, Settings, Vec3};
 
-const NAMES: [&str; 6] = ["forces", "assemble", "factor", "solve", "lists", "lists-again"];
+const NAMES: [&str; 5] = ["forces", "assemble", "factor", "solve", "lists"];
 const SIZES: [u32; 3] = [2_000, 10_000, 40_000];
 const RUNS: usize = 15;
 
-/// A tube over a ball, so that it is no sheet that needs no lists.
+/// A tube over a ball.
 fn tube(triangles: u32) -> Scene {
     let n = libm::round(libm::sqrt(f64::from(triangles) / 2.0)) as u32;
     let round = |x: f64, y: f64| {
@@ -38,8 +38,7 @@ fn measured(kernel: &str, k: &mut Kernels<'_>) {
         "assemble" => k.assemble(),
         "factor" => assert!(black_box(k.factor()), "the system can be factorised"),
         "solve" => k.solve(),
-        "lists" => k.lists(),
-        _ => k.lists_again(),
+        _ => k.lists(),
     }
 }
 

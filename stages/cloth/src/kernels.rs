@@ -49,14 +49,6 @@ impl<'a> Kernels<'a> {
     pub fn lists(&mut self) {
         let x = self.descent.x.clone();
         if let Some(b) = self.descent.detection() {
-            b.rebuild_lists_for_new_gaps(&x);
-        }
-    }
-
-    /// Makes the proximity lists along a short step, from a wide search that still holds.
-    pub fn lists_again(&mut self) {
-        let x = self.descent.x.clone();
-        if let Some(b) = self.descent.detection() {
             b.rebuild_lists(&x);
         }
     }

@@ -5,11 +5,10 @@
 
 use crate::collision::body_motion::BodyMotion;
 use crate::collision::broad_phase::aabb::Aabb;
-use crate::collision::broad_phase::distance_grid::DistanceGrid;
 use crate::collision::culling::convex_features::ConvexFeatures;
 use crate::collision::culling::coplanar_faces::{coplanar_edges, coplanar_neighbours};
 use crate::collision::narrow_phase::distance::{point_triangle, point_triangle_gap};
-use crate::collision::tuning::{DISTANCE_GRID, NEAREST_PLACE_RADIUS};
+use crate::collision::tuning::NEAREST_PLACE_RADIUS;
 use crate::scene::contact_filter::MetParts;
 use crate::scene::topology::Topology;
 use crate::{BodyMesh, Scene, Vec3};
@@ -34,8 +33,6 @@ pub(crate) struct Body {
     pub bounds: Aabb,
     /// Boxes of the triangles at the positions given first.
     pub boxes: Arc<Vec<Aabb>>,
-    /// Lower bounds of the distance to the body at rest.
-    pub grid: Arc<DistanceGrid>,
     /// The parts that the cloth meets.
     pub met: MetParts,
     /// The motion of the body; `None` for a body at rest.
@@ -82,7 +79,6 @@ impl Body {
         let flat_edges = coplanar_edges(&mesh.positions, &topology);
         let features = ConvexFeatures::new(&mesh.positions, &topology, &flat_edges);
         let coplanar = coplanar_neighbours(&topology, &flat_edges);
-        let grid = DistanceGrid::new(&mesh.positions, &topology.faces, &bounds);
         Some(Self {
             tree: Arc::new(tree),
             positions: Arc::new(mesh.positions.clone()),
@@ -91,7 +87,6 @@ impl Body {
             coplanar: Arc::new(coplanar),
             bounds,
             boxes: Arc::new(boxes),
-            grid: Arc::new(grid),
             met: MetParts::default(),
             motion: None,
             rounding: size * ROUNDING_TO_F32,
@@ -103,23 +98,6 @@ impl Body {
     pub fn decimated(mut self, cloth: [f64; 2]) -> Self {
         self.features.decimate(&self.positions, &self.topology, cloth);
         self
-    }
-
-    /// May any part of the body be in this box?
-    #[inline]
-    pub fn may_meet(&self, b: &Aabb) -> bool {
-        self.distance_bound(b) <= 0.0
-    }
-
-    /// A lower bound of the distance between the body and this box, m; not positive where they may meet.
-    #[inline]
-    pub fn distance_bound(&self, b: &Aabb) -> f64 {
-        if !DISTANCE_GRID.is_on() {
-            return self.bounds.gap(b);
-        }
-        let middle = (b.low + b.high) * 0.5;
-        let clear = self.grid.at(&middle) - 0.5 * (b.high - b.low).norm();
-        if b.meets(&self.bounds) { clear } else { clear.max(self.bounds.gap(b)) }
     }
 
     /// Triangles whose boxes may meet `bounds`.

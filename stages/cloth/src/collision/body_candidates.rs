@@ -5,7 +5,6 @@
 use crate::Vec3;
 use crate::collision::body::Body;
 use crate::collision::broad_phase::aabb::Aabb;
-use crate::collision::broad_phase::body_distance_bound::BodyDistanceBounds;
 use crate::collision::broad_phase::proximity_list::{BodyFeature, ProximityLists, ROUND_DOWN};
 use crate::collision::narrow_phase::candidates::{FaceFeatures, LinearMotion, MovingFace, PairGeometry, swept};
 use crate::collision::narrow_phase::distance::{point_triangle, point_triangle_gap, segment_gap, segments};
@@ -56,7 +55,6 @@ pub(crate) struct BodyCandidates {
     pub faces: Vec<BodyPair<4>>,
     /// Positions of the cloth when the pairs were listed.
     listed_positions: Vec<Vec3>,
-    distance_bounds: BodyDistanceBounds,
     proximity: ProximityLists,
 }
 
@@ -82,6 +80,13 @@ fn point_in(b: &Aabb, p: &Vec3) -> bool {
 fn are_parallel(u: &Vec3, v: &Vec3) -> bool {
     PARALLEL_EDGES_ONLY_STOP.is_on()
         && u.cross(v).norm_squared() < PARALLEL_EDGE_SINE_SQUARED.get() * (u.norm_squared() * v.norm_squared())
+}
+
+/// The length of a vector, m. It is infinite where the vector is not a number, so that such a vertex meets everything.
+#[inline]
+fn length(v: &Vec3) -> f64 {
+    let length = v.norm();
+    if length.is_nan() { f64::INFINITY } else { length }
 }
 
 /// A moving cloth face and the region in which it may meet a body.
@@ -162,9 +167,8 @@ impl BodyCandidates {
     /// `edge` is the mean edge of the cloth, m.
     pub fn list(&mut self, motion: &LinearMotion<'_>, body: &Body, [feature_reach, vertex_reach]: [f64; 2], edge: f64) {
         self.remove_all();
-        let (mut bounds, mut proximity) =
-            (std::mem::take(&mut self.distance_bounds), std::mem::take(&mut self.proximity));
-        bounds.set_motion(motion, &self.listed_positions);
+        let mut proximity = std::mem::take(&mut self.proximity);
+        let step_lengths: Vec<f64> = motion.step.iter().map(length).collect();
         self.listed_positions.clear();
         self.listed_positions.extend_from_slice(motion.x);
         let margin = if motion.longest > PROXIMITY_LIST_STEP_LIMIT.get() * edge {
@@ -174,12 +178,12 @@ impl BodyCandidates {
         };
         proximity.resize(motion.x.len(), motion.topology.faces.len());
         for f in (0u32..).take(motion.topology.faces.len()) {
-            let distance = bounds.distance_bound(f, motion, vertex_reach, body);
+            let moving = MovingFace::of(motion.topology, f, motion.x, motion.step);
+            let (a, l) = (&moving.face, moving.face.corners.map(|v| step_lengths[v as usize]));
+            let distance = body.bounds.gap(&Aabb::of_three(&a.at)) - l[0].max(l[1]).max(l[2]);
             if distance > vertex_reach {
                 continue;
             }
-            let moving = MovingFace::of(motion.topology, f, motion.x, motion.step);
-            let (a, l) = (&moving.face, moving.face.corners.map(|v| bounds.step_lengths[v as usize]));
             for k in (0..3).filter(|k| a.owns_vertex(*k)) {
                 self.list_vertex(&moving, k, [vertex_reach, margin, l[k]], &mut proximity, body);
             }
@@ -192,7 +196,7 @@ impl BodyCandidates {
                 }
             }
         }
-        (self.distance_bounds, self.proximity) = (bounds, proximity);
+        self.proximity = proximity;
     }
 
     /// Adds the triangles of the body that come near vertex `k` of a moving face.
@@ -208,7 +212,7 @@ impl BodyCandidates {
     ) {
         let (v, p, d) = (a.face.corners[k], &a.face.at[k], &a.by[k]);
         let place = swept(&Aabb::of_one(p), &Aabb::of_one(d), vertex_reach);
-        if !body.may_meet(&place) {
+        if !body.bounds.meets(&place) {
             return;
         }
         for g in proximity.point(v, p, vertex_reach + l, margin, body).filter(|g| place.meets(&body.boxes[*g as usize]))

@@ -13,19 +13,11 @@ impl SelfCollision {
         None
     }
 
-    pub fn list(&mut self, _: &mut ClothCandidates, _: &LinearMotion<'_>, _: f64, _: f64, _: f64) {
-        match *self {}
-    }
-
-    pub fn list_once(&mut self, _: &mut ClothCandidates, _: &LinearMotion<'_>, _: f64) {
+    pub fn list(&mut self, _: &mut ClothCandidates, _: &LinearMotion<'_>, _: f64) {
         match *self {}
     }
 
     pub fn is_surely_free(&mut self, _: &[Vec3], _: &crate::scene::topology::Topology) -> bool {
-        match *self {}
-    }
-
-    pub fn invalidate(&mut self) {
         match *self {}
     }
 }

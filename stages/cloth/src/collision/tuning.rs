@@ -61,38 +61,6 @@ tuned! {
         tried: "not recorded",
         evidence: "No measurement is kept.",
     }
-    /// Cells of the distance grid along the longest side of the body.
-    DISTANCE_GRID_CELLS: f64 = 64.0, {
-        unit: "cells",
-        larger: "Bounds are closer to the true distance, and the grid takes more memory and time to make.",
-        smaller: "More cloth near the body searches its tree.",
-        tried: "not recorded",
-        evidence: "No measurement is kept.",
-    }
-    /// Largest distance that the grid distinguishes.
-    DISTANCE_GRID_RANGE: usize = 5, {
-        unit: "cells",
-        larger: "Bounds far from the body are larger, and the grid takes more memory.",
-        smaller: "Bounds of cloth far from the body are used up sooner.",
-        tried: "not recorded",
-        evidence: "No measurement is kept.",
-    }
-    /// Slack of the wide search for self-contact over the mean edge.
-    WIDE_SEARCH_SLACK: f64 = 0.3, {
-        unit: "mean edges",
-        larger: "The wide search is made less often and finds more pairs.",
-        smaller: "The wide search is made more often.",
-        tried: "not recorded",
-        evidence: "No measurement is kept.",
-    }
-    /// Pairs of blocks that may have drifted apart or together, over the number of blocks, before a new wide search.
-    DRIFTED_BLOCK_PAIRS: f64 = 0.5, {
-        unit: "pairs per block",
-        larger: "The wide search is made less often, and lists visit more drifted blocks.",
-        smaller: "The wide search is made more often.",
-        tried: "not recorded",
-        evidence: "No measurement is kept.",
-    }
     /// A proximity list is made anew when its radius exceeds the wanted one by this factor.
     PROXIMITY_LIST_EXCESS: f64 = 3.0, {
         unit: "1",
@@ -158,14 +126,6 @@ tuned! {
         tried: "not recorded",
         evidence: "No measurement is kept.",
     }
-    /// Least eigenvalue of the symmetric part of the derivative of a sheet that counts as spread out.
-    SPREAD_SHEET_BOUND: f64 = 0.5, {
-        unit: "1",
-        larger: "Sheets are searched for self-contact earlier.",
-        smaller: "Places of a sheet that is not searched could come nearer than their gap.",
-        tried: "not recorded",
-        evidence: "At 0.5 places keep half their distance in the cloth, more than any gap (docs/contact.md).",
-    }
     /// Side of the cells in which one corner of a smooth body stands for all, over the mean edge of coarser cloth.
     FEATURE_CELL: f64 = 0.15, {
         unit: "mean edges of the cloth",
@@ -195,16 +155,8 @@ tuned! {
 mechanisms! {
     room "collision";
 
-    /// Skips the search for self-contact while one flat convex piece is spread out.
-    SPREAD_SHEET_CULLING = "spread-sheet-culling";
     /// Skips pairs of neighbouring triangles in smooth patches of cloth.
     NORMAL_CONE_CULLING = "normal-cone-culling";
-    /// Finds pairs of distant cloth from the last wide search while blocks have not drifted against each other.
-    MOTION_BOUNDS = "motion-bounds";
-    /// Bounds the distance of cloth from the body by a coarse grid.
-    DISTANCE_GRID = "distance-grid";
-    /// Skips cloth triangles whose last known distance from the body has not been used up by motion.
-    BODY_DISTANCE_BOUNDS = "body-distance-bounds";
     /// Keeps the features of the body beside each vertex and triangle of the cloth with their distances.
     PROXIMITY_LISTS = "proximity-lists";
     /// Skips listed pairs of cloth and body whose distance has not been used up by motion.

@@ -137,7 +137,7 @@ impl Threads {
         d.change(|o, x| {
             if let Some(b) = &mut o.terms.barrier {
                 b.body_activation_distance = distance;
-                b.rebuild_lists_for_new_gaps(x);
+                b.rebuild_lists(x);
             }
             Change::Energy
         });

@@ -2,7 +2,7 @@
 
 use crate::collision::broad_phase::blocks::{BLOCK_SLOTS, Blocks};
 use crate::collision::broad_phase::bvh::{BoxTree, NO_ITEM, join_up};
-use crate::collision::broad_phase::swept_box::{MotionRange, SweptBox, higher};
+use crate::collision::broad_phase::swept_box::SweptBox;
 
 impl BoxTree {
     /// Sets the swept boxes down to the blocks, for [`Self::meeting_non_neighbours`]. That needs half of the memory.
@@ -69,61 +69,6 @@ impl BoxTree {
                 }
             }
         });
-    }
-
-    /// Emits the pairs of blocks that the last search found apart and that may have come near since.
-    ///
-    /// Their motion against each other exceeds `spare`, m. `moves` holds the moves since the search of all nodes down
-    /// to the blocks.
-    pub fn drifted_blocks(&self, moves: &[MotionRange], spare: f32, mut emit: impl FnMut(usize, usize)) {
-        let first = self.blocks();
-        let loose = |a: usize, b: usize| {
-            let (p, q, mut far) = (&moves[a], &moves[b], false);
-            for k in 0..4 {
-                far |= higher(p[1][k] - q[0][k], q[1][k] - p[0][k]) > spare;
-            }
-            far
-        };
-        let meet = |a: usize, b: usize| self.swept[a].meets_moved(&moves[a], &self.swept[b], &moves[b]);
-        self.walk(
-            first,
-            |a, b| loose(a, b) && meet(a, b),
-            |a, b| {
-                if loose(a, b) {
-                    emit(a.min(b) - first, a.max(b) - first);
-                }
-            },
-        );
-    }
-
-    /// Emits the pairs of non-neighbours in two blocks, in the order of a search.
-    pub fn non_neighbours(&self, blocks: &Blocks, a: usize, b: usize, mut emit: impl FnMut(u32, u32)) {
-        let mut left = blocks.non_neighbours(a, b).unwrap_or_else(|| self.present(a, b));
-        while left != 0 {
-            let n = left.trailing_zeros() as usize;
-            left &= left - 1;
-            emit(self.items[BLOCK_SLOTS * a + n / BLOCK_SLOTS], self.items[BLOCK_SLOTS * b + n % BLOCK_SLOTS]);
-        }
-    }
-
-    /// The rank in a search of a pair of items in these slots.
-    pub fn rank(&self, [p, q]: [u32; 2]) -> u64 {
-        let (p, q) = (u64::from(p.min(q)), u64::from(p.max(q)));
-        let block = BLOCK_SLOTS as u64;
-        let (a, b) = (p / block, q / block);
-        let rank = (0..self.blocks().trailing_zeros()).rev().fold(0, |rank, level| {
-            let (i, j) = (a >> level & 1, b >> level & 1);
-            let together = a >> (level + 1) == b >> (level + 1);
-            rank << 2
-                | if !together {
-                    3 - (2 * i + j)
-                } else if i != j {
-                    0
-                } else {
-                    2 - i
-                }
-        });
-        rank * block * block + p % block * block + q % block
     }
 
     /// The items of a block.

@@ -4,11 +4,7 @@ pub(crate) mod aabb;
 #[cfg(feature = "self-contact")]
 pub(crate) mod block_search;
 pub(crate) mod blocks;
-pub(crate) mod body_distance_bound;
 pub(crate) mod bvh;
-pub(crate) mod distance_grid;
-#[cfg(feature = "self-contact")]
-pub(crate) mod motion_bounds;
 pub(crate) mod packed_lists;
 pub(crate) mod proximity_list;
 #[cfg(feature = "self-contact")]

@@ -3,9 +3,6 @@
 use crate::Vec3;
 use crate::collision::broad_phase::aabb::Aabb;
 
-/// Least and largest components of some moves, m.
-pub(crate) type MotionRange = [[f32; 4]; 2];
-
 /// A box and the box of its displacements in single precision, rounded outwards. Four coordinates fit in one
 /// register.
 #[derive(Clone, Copy, Debug)]
@@ -29,7 +26,7 @@ pub(crate) struct RoundedMotion {
     /// Moves, m.
     by: Vec<[f32; 4]>,
     /// The largest coordinate, m.
-    pub size: f64,
+    size: f64,
 }
 
 impl RoundedMotion {
@@ -89,17 +86,6 @@ impl SweptBox {
         Self { low, high, least_move, most_move }
     }
 
-    /// The box grown on all sides, m.
-    #[inline]
-    pub fn grown(&self, by: f32) -> Self {
-        let mut grown = *self;
-        for k in 0..4 {
-            grown.low[k] -= by;
-            grown.high[k] += by;
-        }
-        grown
-    }
-
     /// The swept box of two swept boxes.
     #[inline]
     pub fn join(&self, o: &Self) -> Self {
@@ -116,15 +102,9 @@ impl SweptBox {
     /// Like [`meet_moving`]: `true` wherever that is true.
     #[inline]
     pub fn meets(&self, o: &Self) -> bool {
-        self.meets_moved(&[self.least_move, self.most_move], o, &[o.least_move, o.most_move])
-    }
-
-    /// Do the boxes meet with other moves?
-    #[inline]
-    pub fn meets_moved(&self, [least_move, most_move]: &MotionRange, o: &Self, [low, high]: &MotionRange) -> bool {
         let mut apart = false;
         for k in 0..4 {
-            let (come, go) = (least_move[k] - high[k], most_move[k] - low[k]);
+            let (come, go) = (self.least_move[k] - o.most_move[k], self.most_move[k] - o.least_move[k]);
             apart |= self.low[k] - o.high[k] + lower(come, 0.0) > 0.0;
             apart |= self.high[k] - o.low[k] + higher(go, 0.0) < 0.0;
         }
@@ -134,12 +114,12 @@ impl SweptBox {
 
 /// The lower of two numbers that are not NaN.
 #[inline]
-pub(crate) fn lower(a: f32, b: f32) -> f32 {
+fn lower(a: f32, b: f32) -> f32 {
     if a < b { a } else { b }
 }
 
 /// The higher of two numbers that are not NaN.
 #[inline]
-pub(crate) fn higher(a: f32, b: f32) -> f32 {
+fn higher(a: f32, b: f32) -> f32 {
     if a > b { a } else { b }
 }

@@ -2,6 +2,5 @@
 
 pub(crate) mod convex_features;
 pub(crate) mod coplanar_faces;
-pub(crate) mod flat_sheet;
 #[cfg(feature = "self-contact")]
 pub(crate) mod normal_cone;

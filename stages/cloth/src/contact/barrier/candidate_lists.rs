@@ -74,7 +74,7 @@ impl CandidateLists {
         let [least, most] = [LIST_SLACK_MIN.get() * edge, LIST_SLACK_MAX.get() * edge];
         let slack = (LIST_SLACK_PER_STEP.get() * motion.longest).clamp(least, most);
         if let Some(search) = self.self_collision.as_mut().filter(|_| self.self_detection != SelfDetection::Deferred) {
-            search.list(&mut self.cloth, &motion, largest_gap(&parameters.self_gap), slack, edge);
+            search.list(&mut self.cloth, &motion, largest_gap(&parameters.self_gap) + 2.0 * slack);
             self.self_detection = SelfDetection::Current;
             statistics.costs.spend(Work::SelfContact, &mut lap);
         }

@@ -41,7 +41,7 @@ impl Barrier {
         let mut lap = CpuTimer::start();
         let step: Vec<Vec3> = to.iter().zip(from).map(|(p, q)| p - q).collect();
         let motion = LinearMotion::new(from, &step, &self.parameters.topology, &self.parameters.stitch_groups);
-        search.list_once(&mut self.lists.cloth, &motion, largest_gap(&self.parameters.self_gap));
+        search.list(&mut self.lists.cloth, &motion, largest_gap(&self.parameters.self_gap));
         let clear = self.listed_pairs_stay_clear(from, &step);
         self.statistics.rolled_back_blocks += u64::from(!clear);
         self.clear_self_pairs();

@@ -93,16 +93,10 @@ impl Barrier {
         self.lists.update(x, step, &self.parameters, self.body.as_mut(), activation, &mut self.statistics)
     }
 
-    /// Makes the lists at `x` anew. Results of the wide search for self-contact are kept.
+    /// Makes the lists at `x` anew.
     pub fn rebuild_lists(&mut self, x: &[Vec3]) {
         self.lists.validity.invalidate();
         self.update_lists(x, &vec![Vec3::zeros(); x.len()]);
-    }
-
-    /// Makes the lists and all searches anew after gaps have changed.
-    pub fn rebuild_lists_for_new_gaps(&mut self, x: &[Vec3]) {
-        self.lists.self_collision.iter_mut().for_each(SelfCollision::invalidate);
-        self.rebuild_lists(x);
     }
 
     /// Records that a step to `x` was taken.
