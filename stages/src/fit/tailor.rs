@@ -77,7 +77,7 @@ pub fn lengths(garment: &Garment) -> Vec<Length> {
     let named: Vec<(&str, &Seam)> = seams.iter().map(|(name, seam)| (name.as_str(), *seam)).collect();
     let mut out = worn.of_seams(&named);
     out.extend(worn.of_sleeves(&named));
-    out.extend(worn.of_centre());
+    out.extend(worn.of_centre(&named));
     if let Some(body) = &garment.body {
         let surface = Surface::of_body(body);
         for length in &mut out {
@@ -195,27 +195,45 @@ impl Worn<'_> {
     }
 
     /// Lengths on the centre line of front and back, without bands.
-    fn of_centre(&self) -> Vec<Length> {
+    fn of_centre(&self, named: &[(&str, &Seam)]) -> Vec<Length> {
         let trunks = [(Facing::Front, "front length"), (Facing::Back, "back length")];
         let skirts = [(Facing::Front, "skirt length front"), (Facing::Back, "skirt length back")];
-        let of =
-            |parts: &'static [Part]| move |(facing, name)| self.centre(facing, parts).and_then(|l| length(name, l));
+        let of = |parts: &'static [Part]| {
+            move |(facing, name)| self.centre(facing, parts, named).and_then(|l| length(name, l))
+        };
         let trunk = trunks.into_iter().filter_map(of(&[Part::Bodice, Part::Yoke]));
         trunk.chain(skirts.into_iter().filter_map(of(&[Part::Skirt, Part::Tier]))).collect()
     }
 
     /// The length of the cloth on the centre line: each part once, whatever its layers.
-    fn centre(&self, facing: Facing, parts: &[Part]) -> Option<Lengths> {
+    fn centre(&self, facing: Facing, parts: &[Part], named: &[(&str, &Seam)]) -> Option<Lengths> {
         let mut sum: Option<Lengths> = None;
         for part in parts {
             let faces = |r: &Role| {
                 r.part == Some(*part) && (r.facing == Some(facing) || (r.facing.is_none() && *part == Part::Yoke))
             };
             let mut pieces = (0..self.roles.len()).filter(|k| faces(&self.roles[*k]));
-            if let Some(found) = pieces.find_map(|k| self.on_centre(k, facing)) {
+            let found = pieces.find_map(|k| {
+                let (line, seam) = (self.on_centre(k, facing)?, self.on_centre_seam(k, facing, named));
+                Some(if seam.rest > line.rest { seam } else { line })
+            });
+            if let Some(found) = found {
                 *sum.get_or_insert_default() += found;
             }
         }
+        sum
+    }
+
+    /// The length of a piece along the centre seam. A shaped seam leaves the straight line on which a centre without a seam
+    /// is measured; an open centre has a part of a seam or none.
+    fn on_centre_seam(&self, piece: usize, facing: Facing, named: &[(&str, &Seam)]) -> Lengths {
+        let words = if facing == Facing::Back { "centre back" } else { "centre front" };
+        let seams = named.iter().filter(|(name, _)| name.contains(words));
+        let sides = seams.flat_map(|(_, seam)| [&seam.a, &seam.b]);
+        let on_piece: BTreeSet<[u32; 2]> =
+            sides.flat_map(edges).filter(|(p, _)| *p == piece).map(|(_, edge)| edge).collect();
+        let mut sum = Lengths::default();
+        on_piece.iter().filter_map(|e| self.cloth(piece)?.edge(*e)).for_each(|l| sum += l);
         sum
     }
 

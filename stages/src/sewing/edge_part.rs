@@ -5,6 +5,7 @@ use super::lookup::RawRun;
 use super::marks::notches_on;
 use super::ring::SAME;
 use super::shapes::PieceShape;
+use toile_formats::sewing::place_text;
 use toile_garment::sewing::{EdgePlace, EdgeWay};
 use toile_garment::{Diagnostic, Piece};
 
@@ -22,7 +23,8 @@ pub fn run(
     let ring = &shape.rings[whole.ring];
     let length = ring.sewn_ahead(whole.from, whole.to);
     let notches = notches_on(piece, shape, [whole.from, whole.to]);
-    let way = |place: EdgePlace| way(place, length, &notches).ok_or_else(|| off_edge(piece, edge, length, &notches));
+    let way =
+        |place: EdgePlace| way(place, length, &notches).ok_or_else(|| off_edge(piece, edge, place, length, &notches));
     let [p, q] = [way(places[0])?, way(places[1])?];
     if (p - q).abs() < SAME {
         let message = format!("piece `{}`: a part of edge `{edge}` starts and ends at one place", piece.name);
@@ -46,13 +48,13 @@ fn way(place: EdgePlace, length: f64, notches: &[f64]) -> Option<f64> {
     }
 }
 
-fn off_edge(piece: &Piece, edge: &str, length: f64, notches: &[f64]) -> Diagnostic {
+fn off_edge(piece: &Piece, edge: &str, place: EdgePlace, length: f64, notches: &[f64]) -> Diagnostic {
     let places: Vec<String> = notches.iter().map(|n| format!("{:.1} mm", n * 1e3)).collect();
     let told = if places.is_empty() {
         "it has no notch".to_owned()
     } else {
         format!("its notches are at {} from its start", places.join(", "))
     };
-    let message = format!("piece `{}`: edge `{edge}` has no such place", piece.name);
+    let message = format!("piece `{}`: edge `{edge}` has no place `{}`", piece.name, place_text(place));
     Diagnostic::error(codes::EDGE_PLACE_UNKNOWN, message).hint(format!("it is {:.1} mm long; {told}", length * 1e3))
 }

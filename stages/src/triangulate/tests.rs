@@ -267,8 +267,7 @@ fn a_seam_between_edges_that_do_not_belong_together_names_free_edges_that_fit() 
     // The edges of the first seam are taken; 300 mm is the other side of the front alone.
     let hint = errors[0].hint.as_deref().unwrap_or_default();
     let fits = "to 300.0 mm fits `front.3` (300.0 mm); to 200.0 mm fits `back.0` (200.0 mm)";
-    let declare = "; or if side a is gathered, write gather = 1.500; if it is eased, write ease = \"100.0 mm\" \
-                   (a minus b); or raise max_ease";
+    let declare = "; or if side a is gathered, write gather = 1.500";
     assert_eq!(hint, format!("{fits}{declare}"));
 }
 

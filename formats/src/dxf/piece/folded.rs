@@ -20,8 +20,9 @@ impl DrawnPiece {
         let line = self.boundary.positions();
         let [a, b] = stroke.ends;
         self.say_other_folds(&joined, desk);
-        if fold_run(&line, a, b).is_some() || fold_part(&line, a, b) {
-            self.axes.fold = Some([a, b]);
+        let fold = fold_run(&line, a, b).map(|_| [a, b]).or_else(|| fold_part(&line, a, b));
+        if fold.is_some() {
+            self.axes.fold = fold;
             desk.overrule(stroke.id, Verdict::Interpreted, "mirror line on the boundary: the half piece is unfolded");
         } else {
             let text = format!(
@@ -31,7 +32,8 @@ impl DrawnPiece {
                 self.label()
             );
             desk.overrule(stroke.id, Verdict::Refused, "mirror line off the boundary");
-            desk.say(Diagnostic::warning(codes::FOLD_OFF_BOUNDARY, text), &self.block, "6", stroke.line);
+            let hint = "draw the mirror line on a straight edge of the half piece, or draw the whole piece";
+            desk.say(Diagnostic::warning(codes::FOLD_OFF_BOUNDARY, text).hint(hint), &self.block, "6", stroke.line);
         }
     }
 
@@ -116,19 +118,23 @@ fn fold_run(line: &[Vec2], a: Vec2, b: Vec2) -> Option<(usize, usize)> {
     None
 }
 
-/// Is at least half of the line from `a` to `b` a run of the boundary? A dart on the fold takes the rest.
-fn fold_part(line: &[Vec2], a: Vec2, b: Vec2) -> bool {
-    let (n, d) = (line.len(), b - a);
-    let length = d.norm();
+/// The fold, where at least half of the line from `a` to `b` is boundary; a dart on the fold takes the rest.
+///
+/// A line drawn at net length ends an allowance short of the cut edge. The fold reaches as far as that edge.
+fn fold_part(line: &[Vec2], a: Vec2, b: Vec2) -> Option<[Vec2; 2]> {
+    let (n, length) = (line.len(), (b - a).norm());
     if length < 5.0 || n < 3 {
-        return false;
+        return None;
     }
-    let along = |p: Vec2| (p - a).dot(&d) / length;
-    let on = |p: Vec2| geom::cross(d, p - a).abs() / length <= ON_FOLD && (-1.0..=length + 1.0).contains(&along(p));
-    let covered: f64 = (0..n)
-        .map(|i| [line[i], line[(i + 1) % n]])
-        .filter(|ends| ends.iter().all(|p| on(*p)))
-        .map(|ends| (ends[1] - ends[0]).norm())
-        .sum();
-    covered >= 0.5 * length
+    let d = (b - a) / length;
+    let on = |p: Vec2| geom::cross(d, p - a).abs() <= ON_FOLD;
+    let sides = (0..n).map(|i| [line[i], line[(i + 1) % n]]).filter(|ends| ends.iter().all(|p| on(*p)));
+    let ranges: Vec<[f64; 2]> =
+        sides.map(|ends| ends.map(|p| (p - a).dot(&d))).map(|[p, q]| [p.min(q), p.max(q)]).collect();
+    let covered: f64 = ranges.iter().map(|[from, to]| (to.min(length) - from.max(0.0)).max(0.0)).sum();
+    let [from, to] = ranges.iter().fold([0.0, length], |[low, high], [from, to]| {
+        if *from < length && *to > 0.0 { [low.min(*from), high.max(*to)] } else { [low, high] }
+    });
+    let end = |own: Vec2, way: f64, drawn: f64| if (way - drawn).abs() <= 1.0 { own } else { a + d * way };
+    (covered >= 0.5 * length).then(|| [end(a, from, 0.0), end(b, to, length)])
 }

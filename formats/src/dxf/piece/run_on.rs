@@ -1,6 +1,7 @@
 //! Kinds and marks that one size of a nest takes over from the sample size.
 
 use super::DrawnPiece;
+use crate::dxf::piece::Outline;
 use crate::dxf::sheet::Mark;
 use crate::dxf::{geom, limits};
 use toile_garment::Vec2;
@@ -18,20 +19,35 @@ impl DrawnPiece {
             self.points.turn_points = 0;
         }
         if self.unfinished.marks.is_empty() && self.unfinished.strokes.is_empty() {
-            let (from, to) = (sample.boundary.positions(), self.boundary.positions());
-            if from.len() != to.len() || sample.unfinished.marks.len() > limits::NOTCHES {
+            let line = |of: &Outline| of.positions();
+            let cut = [line(&sample.boundary), line(&self.boundary)];
+            if cut[0].len() != cut[1].len() || sample.unfinished.marks.len() > limits::NOTCHES {
                 return sample.unfinished.marks.is_empty();
             }
-            self.unfinished.marks = sample.unfinished.marks.iter().filter_map(|m| carried(m, &from, &to)).collect();
+            let sew = sample.sew.as_ref().map(|like| [line(like), self.sew.as_ref().map_or_else(Vec::new, line)]);
+            let lines: Vec<[Vec<Vec2>; 2]> = std::iter::once(cut).chain(sew).collect();
+            self.unfinished.marks = sample.unfinished.marks.iter().filter_map(|m| carried(m, &lines)).collect();
         }
         true
     }
 }
 
-fn carried(mark: &Mark, from: &[Vec2], to: &[Vec2]) -> Option<Mark> {
-    let foot = geom::nearest(mark.at, from, true).filter(|f| f.distance <= 0.5)?;
-    let (a, b) = (to[foot.segment], to[(foot.segment + 1) % to.len()]);
-    let u = from[(foot.segment + 1) % from.len()] - from[foot.segment];
-    let turned = libm::atan2(geom::cross(u, b - a), u.dot(&(b - a)));
-    Some(Mark { at: foot.on(to), angle: mark.angle.map(|x| x + turned), ..mark.clone() })
+/// The mark of the sample size in another size, beside the same segment of the line that it lies nearest to. The lines
+/// are given in the sample size and in the other one. `None` where the other size does not have that line.
+///
+/// A mark on a curve stands off the chord by the height of the arc there. That height grows with the chord.
+fn carried(mark: &Mark, lines: &[[Vec<Vec2>; 2]]) -> Option<Mark> {
+    let feet = lines.iter().filter_map(|[from, to]| Some((geom::nearest(mark.at, from, true)?, from, to)));
+    let (foot, from, to) = feet.min_by(|(a, ..), (b, ..)| a.distance.total_cmp(&b.distance))?;
+    if from.len() != to.len() {
+        return None;
+    }
+    let side = |line: &[Vec2]| line[(foot.segment + 1) % line.len()] - line[foot.segment];
+    let (u, v) = (side(from), side(to));
+    let turned = libm::atan2(geom::cross(u, v), u.dot(&v));
+    let growth = if u.norm() > 0.0 { v.norm() / u.norm() } else { 1.0 };
+    let off = (mark.at - foot.on(from)) * growth;
+    let (sin, cos) = (libm::sin(turned), libm::cos(turned));
+    let off = Vec2::new(cos * off.x - sin * off.y, sin * off.x + cos * off.y);
+    Some(Mark { at: foot.on(to) + off, angle: mark.angle.map(|x| x + turned), ..mark.clone() })
 }

@@ -78,3 +78,16 @@ fn half_of_a_fish_eye_in_strokes_closed_or_on_the_cutouts_layer() {
     let centred = half(&[(0.0, 600.0)], 600.0, |w| w.polyline("8", false, &eye).line("8", eye[0], eye[2]));
     assert_eq!(only_piece(&centred).darts.len(), 1, "a centre line on the fold");
 }
+
+/// A mirror line at net length lies on the cut edge and ends an allowance short of it.
+#[test]
+fn a_mirror_line_at_net_length_is_the_fold() {
+    let cut = [(0.0, -10.0), (160.0, -10.0), (160.0, 640.0), (0.0, 640.0)];
+    let net = [(0.0, 30.0), (150.0, 30.0), (150.0, 630.0), (0.0, 630.0)];
+    let text = file(|w| w.polyline("1", true, &cut).polyline("14", true, &net).line("6", (0.0, 30.0), (0.0, 630.0)));
+    let piece = only_piece(&text);
+    // The whole of the sew line: 300 × 600 mm.
+    assert!((geom::area(&piece.outline.positions()) - 0.18).abs() < 1e-9);
+    let aside = file(|w| w.polyline("1", true, &cut).line("6", (0.5, 30.0), (0.5, 630.0)));
+    assert!(good(&aside).pieces[0].axes.fold.is_none());
+}

@@ -178,3 +178,37 @@ fn notches_that_the_sample_size_shows_on_both_lines_are_not_more() {
     let pattern = good(&w.text("1", "Sample Size: 36").pair(0, "ENDSEC").pair(0, "EOF").0);
     assert_eq!(codes(&pattern.findings), [""; 0]);
 }
+
+/// Notches stand in the sample size alone: one on a curve, which is 7 mm off its chord, and one on the sew line.
+#[test]
+fn notches_on_curves_and_on_sew_lines_are_carried_to_the_other_sizes() {
+    let at = |radius: f64, k: f64| {
+        let angle = std::f64::consts::PI * (0.25 + k / 8.0);
+        (radius * libm::cos(angle), radius * libm::sin(angle))
+    };
+    let arc = |radius: f64| {
+        let mut line = vec![(-200.0, -100.0), (200.0, -100.0)];
+        line.extend((0..=4).map(|k| at(radius, f64::from(k))));
+        line
+    };
+    let w = Writer::default().pair(0, "SECTION").pair(2, "BLOCKS");
+    let w = [("34", 390.0), ("36", 400.0), ("38", 410.0)].into_iter().fold(w, |w, (size, radius)| {
+        let w = w.block(&format!("A_{size}")).text("1", "Piece Name: A").text("1", &format!("Size: {size}"));
+        let sew = [(-190.0, -90.0), (190.0, -90.0), (190.0, 180.0), (-190.0, 180.0)];
+        let w = w.polyline("1", true, &arc(radius)).polyline("14", true, &sew);
+        let middle = at(radius, 1.5);
+        let sample = |w: Writer| {
+            let w = w.points("2", &arc(radius)[..3]).points("2", &arc(radius)[6..]).points("3", &arc(radius)[3..6]);
+            w.point("4", middle.0, middle.1).point("4", 190.0, 50.0)
+        };
+        if size == "36" { sample(w) } else { w }.pair(0, "ENDBLK")
+    });
+    let w = w.pair(0, "ENDSEC").pair(0, "SECTION").pair(2, "ENTITIES").text("1", "Units: METRIC");
+    let pattern = good(&w.text("1", "Sample Size: 36").pair(0, "ENDSEC").pair(0, "EOF").0);
+    for (piece, radius) in pattern.pieces.iter().zip([390.0, 400.0, 410.0]) {
+        let [on_curve, on_sew] = piece.notches.as_slice() else { panic!("{:?}: {:?}", piece.size, piece.notches) };
+        let wanted = at(radius, 1.5);
+        assert!((on_curve.at - Vec2::new(wanted.0, wanted.1)).norm() < 0.01, "{:?}: {on_curve:?}", piece.size);
+        assert_eq!((on_sew.at, on_sew.on), (Vec2::new(190.0, 50.0), "sew"), "{:?}", piece.size);
+    }
+}

@@ -9,6 +9,8 @@ const NOISE: f64 = 5e-4;
 /// A declared ease or gather may miss what is drawn by 1 mm or 1 %.
 const DECLARED: f64 = 1e-3;
 
+/// Sides that differ by more than this share of the shorter are hardly meant to be eased into each other.
+pub const WRONG_EDGE: f64 = 0.15;
 /// The longer side over the shorter, where it may be meant as a gather.
 const GATHERS: std::ops::RangeInclusive<f64> = 1.05..=3.0;
 
@@ -37,7 +39,10 @@ pub fn check(spec: &SeamSpec, a: f64, b: f64, limits: &Limits, report: &mut Repo
         let share = over.abs() / shorter * 100.0;
         let declared = spec.ease.map_or(String::new(), |e| format!(", declared ease {:.1} mm", e * 1e3));
         let found = differ(spec, format!("has sides of {figures}{declared}: {share:.1} % undeclared"));
-        return Err(found.hint(remedy(spec, a, b)));
+        return Err(match remedy(spec, a, b) {
+            Some(line) => found.hint(line),
+            None => found,
+        });
     }
     if difference.abs() > NOISE {
         let message = format!("seam `{}` eases {:.1} mm ({figures})", spec.name, difference.abs() * 1e3);
@@ -46,15 +51,17 @@ pub fn check(spec: &SeamSpec, a: f64, b: f64, limits: &Limits, report: &mut Repo
     Ok(())
 }
 
-/// The line to write where the difference may be meant: a gather, or an ease.
-fn remedy(spec: &SeamSpec, a: f64, b: f64) -> String {
-    let ease = format!("ease = \"{:.1} mm\" (a minus b)", (a - b) * 1e3);
-    let gather = a.max(b) / a.min(b);
-    if spec.ease.is_some() || !GATHERS.contains(&gather) {
-        return format!("write {ease}, or raise max_ease");
-    }
+/// The line to write where the difference may be meant: a gather, or an ease. `None` where it is too large for both.
+fn remedy(spec: &SeamSpec, a: f64, b: f64) -> Option<String> {
     let longer = if a > b { "a" } else { "b" };
-    format!("if side {longer} is gathered, write gather = {gather:.3}; if it is eased, write {ease}; or raise max_ease")
+    let gather = a.max(b) / a.min(b);
+    let may_gather = GATHERS.contains(&gather) && spec.ease.is_none();
+    let gathered = may_gather.then(|| format!("if side {longer} is gathered, write gather = {gather:.3}"));
+    if (a - b).abs() > WRONG_EDGE * a.min(b) {
+        return gathered;
+    }
+    let ease = format!("write ease = \"{:.1} mm\" (a minus b), or raise max_ease", (a - b) * 1e3);
+    Some(gathered.map_or_else(|| ease.clone(), |gathered| format!("{gathered}; if it is eased, {ease}")))
 }
 
 fn differ(spec: &SeamSpec, what: String) -> Diagnostic {

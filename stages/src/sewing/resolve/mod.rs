@@ -61,6 +61,10 @@ pub fn placed(found: Vec<Found>) -> Result<Vec<ResolvedSeam>, Vec<Diagnostic>> {
     collect(found.into_iter().map(|f| f.seam))
 }
 
+/// The remedy where the sides of a seam cannot be eased or gathered into each other, and no edge fits.
+const OTHER_EDGE: &str = "no cloth is eased by so much: name another edge, or a part of it, such as \
+     { piece = \"FRONT\", edge = 2, from = \"start\", to = \"notch 1\" }; `toile inspect` lists the edges";
+
 /// The seams with their lengths compared. Notes go to the report.
 ///
 /// # Errors
@@ -81,6 +85,7 @@ pub fn judged(
                     let declare = error.hint.clone().map_or_else(String::new, |remedy| format!("; or {remedy}"));
                     vec![error.hint(fits + &declare)]
                 }
+                None if error.hint.is_none() => vec![error.hint(OTHER_EDGE)],
                 None => vec![error],
             }
         })?;
