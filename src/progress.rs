@@ -38,7 +38,7 @@ pub struct Teller {
     events: Option<Box<dyn Write + Send>>,
     sequence: u64,
     started: Instant,
-    stage_started: Instant,
+    pace: Pace,
     last_event: Option<Instant>,
     counts: std::collections::BTreeMap<String, usize>,
 }
@@ -62,7 +62,7 @@ impl Teller {
             events,
             sequence: 0,
             started: now,
-            stage_started: now,
+            pace: Pace::start(),
             last_event: None,
             counts,
         }
@@ -98,7 +98,7 @@ impl Teller {
 
     /// A stage begins.
     pub fn stage_start(&mut self, number: usize, total: usize, id: &str) {
-        self.stage_started = Instant::now();
+        self.pace = Pace::start();
         self.seen = None;
         let prefix = format!("{number}/{total} {id}");
         if let Some(bar) = &self.bar {
@@ -126,9 +126,17 @@ impl Teller {
         self.event("stage.end", json!({ "stage": id, "seconds": seconds, "status": status }));
     }
 
-    /// A finding: the first few of a code, then one line with the count at the end.
-    pub fn finding(&mut self, finding: &Diagnostic) {
-        self.event("finding", serde_json::to_value(finding).unwrap_or(Value::Null));
+    /// Findings: the first few of a code, then one line with the count at the end; notes of one code are one line.
+    pub fn findings(&mut self, findings: &[Diagnostic]) {
+        for finding in findings {
+            self.event("finding", serde_json::to_value(finding).unwrap_or(Value::Null));
+        }
+        for finding in crate::render::grouped(findings) {
+            self.tell(&finding);
+        }
+    }
+
+    fn tell(&mut self, finding: &Diagnostic) {
         let is_error = finding.severity == toile_garment::Severity::Error;
         let heard = match self.voice {
             Voice::Auto => true,
@@ -186,7 +194,7 @@ impl Teller {
 
 impl Progress for Teller {
     fn update(&mut self, done: u64, total: u64, words: &str) {
-        let left = left(self.stage_started, done, total);
+        let left = self.pace.left(Instant::now(), done as f64 / total.max(1) as f64);
         if let Some(bar) = &self.bar {
             bar.set_length(total);
             bar.set_position(done);
@@ -223,10 +231,30 @@ impl Progress for Teller {
 /// Part of a stage below which nothing is said of the time that it will take.
 const EARLY: f64 = 0.05;
 
-/// Seconds that a stage will still take, as its work has gone so far.
-fn left(started: Instant, done: u64, total: u64) -> Option<f64> {
-    let part = done as f64 / total as f64;
-    (total > 0 && (EARLY..=1.0).contains(&part)).then(|| started.elapsed().as_secs_f64() * (1.0 - part) / part)
+/// How fast the work of a stage goes.
+struct Pace {
+    started: Instant,
+    /// When the part that is done was last seen to grow, and that part.
+    grown: (Instant, f64),
+}
+
+impl Pace {
+    fn start() -> Self {
+        let now = Instant::now();
+        Self { started: now, grown: (now, 0.0) }
+    }
+
+    /// Seconds that the stage will still take, as its work has gone up to now. Where the work stands still the time runs
+    /// down, and in the end nothing is known any more.
+    fn left(&mut self, now: Instant, part: f64) -> Option<f64> {
+        if part > self.grown.1 {
+            self.grown = (now, part);
+        }
+        let (at, part) = self.grown;
+        let whole = at.duration_since(self.started).as_secs_f64() * (1.0 - part) / part;
+        let left = whole - now.duration_since(at).as_secs_f64();
+        ((EARLY..1.0).contains(&part) && left >= 1.0).then_some(left)
+    }
 }
 
 fn in_words(left: Option<f64>) -> String {
@@ -346,5 +374,24 @@ impl Drop for Lines {
         if let Some(thread) = self.thread.take() {
             drop(thread.join());
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn time_that_is_left_runs_down_and_then_is_unknown() {
+        let mut pace = Pace::start();
+        let started = pace.started;
+        let mut left = |seconds: u64, part: f64| pace.left(started + Duration::from_secs(seconds), part);
+        assert_eq!(left(1, 0.01), None, "too early");
+        assert_eq!(left(10, 0.5), Some(10.0));
+        // The work stands still.
+        assert_eq!(left(14, 0.5), Some(6.0));
+        assert_eq!([left(20, 0.5), left(60, 0.5)], [None, None]);
+        assert_eq!(left(61, 1.0), None, "all is done but the end");
+        assert_eq!(in_words(None), "");
     }
 }

@@ -1,7 +1,7 @@
 //! Findings as text or JSON.
 
 use serde_json::{Value, json};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use toile_formats::svg::canvas::escape;
 use toile_garment::{Diagnostic, Severity};
 
@@ -28,9 +28,33 @@ pub fn html(sentence: &str) -> String {
     parts.map(|(i, part)| if i % 2 == 1 { format!("<code>{}</code>", escape(part)) } else { escape(part) }).collect()
 }
 
+/// Findings as a terminal shows them: notes of one code become one with their count. Reports and records keep all of them.
+#[must_use]
+pub fn grouped(findings: &[Diagnostic]) -> Vec<Diagnostic> {
+    let is_note = |f: &Diagnostic| f.severity == Severity::Info;
+    let alike = |f: &Diagnostic| findings.iter().filter(|o| is_note(o) && o.code == f.code).count();
+    let mut seen: BTreeSet<&str> = BTreeSet::new();
+    let mut out = Vec::new();
+    for finding in findings {
+        match alike(finding) {
+            count if is_note(finding) && count > 1 => {
+                if seen.insert(&finding.code) {
+                    let mut one = finding.clone();
+                    one.message.push_str(&format!(" (and {} more like this)", count - 1));
+                    (one.source, one.hint) = (None, None);
+                    out.push(one);
+                }
+            }
+            _ => out.push(finding.clone()),
+        }
+    }
+    out
+}
+
 /// Findings as text: the line of the source below each, the first few of a code one by one, the rest counted.
 #[must_use]
 pub fn findings_text(findings: &[Diagnostic], source: Option<(&str, &str)>) -> String {
+    let findings = &grouped(findings);
     let mut seen: BTreeMap<&str, usize> = BTreeMap::new();
     let source = source.map(|(file, text)| (file, text.lines().collect::<Vec<_>>()));
     let mut out = String::new();
@@ -83,7 +107,7 @@ pub fn findings_json(findings: &[Diagnostic]) -> Value {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::codes::WRONG_VALUE;
+    use crate::codes::{UNKNOWN_VALUE, WRONG_VALUE};
     use toile_garment::SourceRef;
 
     #[test]
@@ -92,6 +116,19 @@ mod tests {
         let text = findings_text(&many, None);
         assert_eq!(text.lines().count(), MAX_PER_CODE + 1);
         assert!(text.contains("… and 95 more of `wrong-value`"));
+    }
+
+    #[test]
+    fn notes_of_one_code_are_one_line() {
+        let place = SourceRef { file: "a.dxf".into(), ..SourceRef::default() };
+        let notes = (0..4).map(|i| Diagnostic::info(UNKNOWN_VALUE, format!("note {i}")).at(place.clone()).hint("look"));
+        let warnings = (0..2).map(|i| Diagnostic::warning(WRONG_VALUE, format!("value {i}")));
+        let all: Vec<Diagnostic> = notes.chain(warnings).collect();
+        let text = findings_text(&all, None);
+        assert_eq!(text.lines().count(), 3, "{text}");
+        assert!(text.contains("note[unknown-value] note 0 (and 3 more like this)\n"), "{text}");
+        // One alone keeps its place and remedy.
+        assert_eq!(grouped(&all[3..]), all[3..]);
     }
 
     #[test]

@@ -10,6 +10,7 @@ use crate::engine::{CacheOptions, Limits};
 use crate::load::Request;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
+use toile_formats::dxf::layers::Layers;
 use toile_formats::report::Language;
 use toile_stages::import_dxf::FileUnit;
 
@@ -232,6 +233,16 @@ impl CacheArgs {
     /// The cache that is asked for.
     pub fn options(&self) -> Option<CacheOptions> {
         self.cache.as_ref().map(|folder| CacheOptions { folder: folder.clone(), limit: self.limit() })
+    }
+}
+
+/// A layer of a file, and the one that it stands for.
+fn layer(text: &str) -> Result<(String, String), String> {
+    let (own, target) = text.split_once('=').ok_or("write the layer of the file first, such as 21=1")?;
+    if Layers::is_target(target) {
+        Ok((own.to_owned(), target.to_owned()))
+    } else {
+        Err(format!("`{target}` is no layer of the standard; write the layer of the file first, such as 21=1"))
     }
 }
 
@@ -507,9 +518,15 @@ pub struct NewArgs {
     /// Fabric: a file, or one of those that come with the program [default: cotton-shirting]
     #[arg(long, value_name = "FILE|NAME")]
     pub fabric: Option<String>,
+    /// Size of the pattern, and of the body unless one is named [default: the sample size of the file]
+    #[arg(long, value_name = "SIZE")]
+    pub size: Option<String>,
     /// A piece that is not sewn, such as a facing or a second sleeve; may be given more than once.
     #[arg(long, value_name = "PIECE")]
     pub leave_out: Vec<String>,
+    /// A layer of the file that stands for one of the standard, such as CUT=1 or FRAME=ignore; may be given more than once.
+    #[arg(long, value_name = "LAYER=LAYER", value_parser = layer)]
+    pub layer: Vec<(String, String)>,
     /// Unit of the coordinates, overruling the file: mm, cm, inch or m.
     #[arg(long, value_name = "UNIT", value_parser = unit)]
     pub units: Option<FileUnit>,

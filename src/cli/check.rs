@@ -33,7 +33,7 @@ pub(super) fn run(args: &CheckArgs, registry: &mut Registry, stop: &Arc<Stop>, c
     console.findings(&findings, loaded.text());
     if exit == Exit::Good {
         let stages = loaded.pipeline.map_or(0, |p| p.steps.len());
-        console.result(&format!("the chain is sound: {stages} stages\n"));
+        console.result(&format!("nothing wrong was found: {stages} stages\n"));
     }
     exit
 }

@@ -4,11 +4,13 @@ use super::args::NewArgs;
 use super::console::Console;
 use crate::engine::{Exit, clean, unwritten};
 use crate::new::{
-    Body, Earlier, FABRIC_CHOSEN, Fabric, Folder, New, Order, Sample, Source, Wishes, from_pattern, read,
+    Body, Earlier, FABRIC_CHOSEN, Fabric, Folder, New, Order, SIZE_TAKEN, Sample, Source, Wishes, from_pattern, read,
 };
 use crate::progress::Spinner;
+use std::collections::BTreeMap;
 use toile_garment::text::shown;
 use toile_garment::{Diagnostic, Severity};
+use toile_stages::body::BodyMeasures;
 
 /// Size of the body, where none is asked for.
 const SIZE: &str = "38";
@@ -18,11 +20,12 @@ const FABRIC: &str = "cotton-shirting";
 const KNIT: &str = "cotton-jersey";
 
 pub(super) fn run(args: &NewArgs, console: &mut Console<'_>) -> Exit {
-    let body = Body::of(args.body.as_deref().unwrap_or(SIZE));
+    let sized = args.size.as_deref().filter(|size| BodyMeasures::size(size).is_some());
+    let body = Body::of(args.body.as_deref().or(sized).unwrap_or(SIZE));
     let word = args.pattern.to_string_lossy();
     if let Some(sample) = Sample::of(&word).filter(|_| !args.pattern.exists()) {
         let fabric = Fabric::of(args.fabric.as_deref().unwrap_or(sample.fabric));
-        return match sample.folder(&body, &fabric) {
+        return match sample.folder(args.size.as_deref(), &body, &fabric) {
             Ok(folder) => write(args, &folder, console),
             Err(findings) => refuse(&findings, Exit::Usage, console),
         };
@@ -31,18 +34,28 @@ pub(super) fn run(args: &NewArgs, console: &mut Console<'_>) -> Exit {
         Ok(earlier) => earlier,
         Err(findings) => return refuse(&findings, Exit::Input, console),
     };
-    let wishes = Wishes { leave_out: args.leave_out.clone(), unit: args.units };
+    if let Some(Err(findings)) = earlier.as_ref().map(|e| e.check(&args.pattern, args.size.as_deref())) {
+        return refuse(&findings, Exit::Usage, console);
+    }
+    let wishes = Wishes {
+        leave_out: args.leave_out.clone(),
+        unit: args.units.or_else(|| earlier.as_ref()?.unit),
+        size: args.size.clone().or_else(|| earlier.as_ref()?.size.clone()),
+        layers: layers(args, earlier.as_ref()),
+    };
     let source = match read(&args.pattern, earlier.as_ref().map(|e| e.plan.clone()), &wishes) {
         Ok(source) => source,
         Err(findings) => return refuse(&findings, Exit::Input, console),
     };
     let told: Vec<Diagnostic> = source.findings.iter().filter(|f| f.severity != Severity::Info).cloned().collect();
     console.findings(&told, None);
+    console.findings(size_taken(&source).as_slice(), None);
     let fabric = fabric(args, &source, console);
     let own = earlier.as_ref().filter(|_| args.body.is_none()).and_then(|e| e.body.clone());
     let order = Order {
         source: &source,
         is_body_asked: args.body.is_some() || own.is_some(),
+        is_size_asked: args.size.is_some(),
         body: own.unwrap_or(body),
         fabric,
         earlier: earlier.as_ref(),
@@ -63,6 +76,20 @@ pub(super) fn run(args: &NewArgs, console: &mut Console<'_>) -> Exit {
         }
         Err(findings) => refuse(&findings, Exit::Usage, console),
     }
+}
+
+/// The layers that stand for others: those that were asked for, else those of the folder.
+fn layers(args: &NewArgs, earlier: Option<&Earlier>) -> BTreeMap<String, String> {
+    let of_folder = || earlier.map(|e| e.layers.clone()).unwrap_or_default();
+    if args.layer.is_empty() { of_folder() } else { args.layer.iter().cloned().collect() }
+}
+
+/// Tells the size that was taken of a file with several.
+fn size_taken(source: &Source) -> Option<Diagnostic> {
+    let size = source.garment.size.as_deref().filter(|_| source.sizes.len() > 1)?;
+    let [size, all] = [size, &source.sizes.join(", ")].map(|text| shown(text, &[]));
+    let finding = Diagnostic::info(SIZE_TAKEN, format!("size {size} was taken; the file holds {all}"));
+    Some(finding.hint("--size SIZE takes another one, and the body of that size"))
 }
 
 /// The fabric that was asked for, else one that suits the pattern.

@@ -1,7 +1,10 @@
 //! Exit codes: whose fault it was.
 
 use super::codes;
+use super::gate::clean;
 use crate::codes::{FILE_MISSING, PATH_REFUSED, WRITE_FAILED};
+use crate::pipeline::nearest;
+use std::path::Path;
 use toile_formats::codes::FILE_TOO_LARGE;
 use toile_garment::{Code, Diagnostic};
 use toile_stage_api::{FileError, StageError};
@@ -88,5 +91,29 @@ pub fn of_file_error(error: &FileError) -> (Vec<Diagnostic>, Exit) {
         FileError::Memory { .. } => (codes::OVER_LIMIT, Exit::System),
         _ => (WRITE_FAILED, Exit::System),
     };
-    (vec![Diagnostic::error(code, error.to_string())], exit)
+    let finding = Diagnostic::error(code, error.to_string());
+    let remedy = match error {
+        FileError::Missing { path, .. } => beside(Path::new(path)),
+        _ => None,
+    };
+    (vec![remedy.into_iter().fold(finding, Diagnostic::hint)], exit)
+}
+
+/// Files that are named beside a missing one at most.
+const NAMED: usize = 6;
+
+/// The remedy for a missing file: the nearest name in its folder, else the files there that end as it does.
+fn beside(path: &Path) -> Option<String> {
+    let name = path.file_name()?.to_str()?;
+    let folder = path.parent().filter(|f| !f.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let entries = std::fs::read_dir(folder).ok()?.flatten();
+    let mut names: Vec<String> = entries.filter_map(|e| e.file_name().into_string().ok()).collect();
+    names.sort();
+    if let Some(near) = nearest(name, names.iter().map(String::as_str)).filter(|near| *near != name) {
+        return Some(format!("did you mean `{}`?", clean(&folder.join(near))));
+    }
+    let ending = |name: &str| Some(Path::new(name).extension()?.to_string_lossy().to_lowercase());
+    let alike = names.iter().filter(|n| ending(n).is_some() && ending(n) == ending(name)).take(NAMED);
+    let alike: Vec<String> = alike.map(|n| format!("`{}`", clean(Path::new(n)))).collect();
+    (!alike.is_empty()).then(|| format!("in this folder there are {}", alike.join(", ")))
 }

@@ -114,10 +114,8 @@ pub fn run(
 
 fn refuse(error: &toile_stage_api::FileError, mut report: Report, teller: &mut Teller) -> Outcome {
     let (findings, exit) = of_file_error(error);
-    for finding in findings {
-        teller.finding(&finding);
-        report.push(finding);
-    }
+    teller.findings(&findings);
+    report.findings.extend(findings);
     Outcome { exit, record: None, findings: report.findings, garment: Garment::default() }
 }
 
@@ -367,9 +365,7 @@ impl<'a> Run<'a> {
     }
 
     fn tell_findings(&mut self) {
-        for finding in &self.report.findings[self.told..] {
-            self.teller.finding(finding);
-        }
+        self.teller.findings(&self.report.findings[self.told..]);
         self.told = self.report.findings.len();
     }
 

@@ -36,7 +36,18 @@ codes! {
     /// the program. Exit code 2.
     FABRIC_NOT_KNOWN = "fabric-not-known";
 
+    /// The folder was made from another pattern, or in another size, and what lies in it is kept. Choose another folder with
+    /// `--out`. Exit code 2.
+    FOLDER_OF_ANOTHER = "folder-of-another";
+
+    /// The largest piece is longer than any garment's, so the unit of the pattern is wrong. Say it with `--units`. Exit
+    /// code 3.
+    PATTERN_HUGE = "pattern-huge";
+
     /// The largest piece is smaller than any garment's, so the unit of the pattern is wrong. Say it with `--units`. Exit
     /// code 3.
     PATTERN_TINY = "pattern-tiny";
+
+    /// The file holds several sizes, and one of them was taken. --size takes another one.
+    SIZE_TAKEN = "size-taken";
 }

@@ -3,13 +3,17 @@
 //! `proposal.json` lists the pieces that were looked at. A person has seen what was proposed for them, and has kept it
 //! or taken it out. So no seam between two of them is proposed anew.
 
+use super::codes::FOLDER_OF_ANOTHER;
 use super::pattern::Source;
 use super::stock::Body;
-use crate::engine::{MAX_INPUT, of_file_error, read_limited};
+use crate::engine::{MAX_INPUT, clean, of_file_error, read_limited};
 use serde_json::Value;
-use std::path::Path;
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
 use toile_garment::Diagnostic;
 use toile_garment::sewing::SewingPlan;
+use toile_garment::text::shown;
+use toile_stages::import_dxf::FileUnit;
 use toile_stages::proposal::{Known, written};
 use toile_stages::roles::joins_of_plan;
 use toile_stages::sewing::{resolve, shapes};
@@ -30,15 +34,35 @@ pub struct Earlier {
     seams: Vec<Value>,
     /// The body that its pipeline sews on.
     pub body: Option<Body>,
+    /// The size that its pipeline sews.
+    pub size: Option<String>,
+    /// The unit in which its pipeline reads the pattern, where one is given.
+    pub unit: Option<FileUnit>,
+    /// The layers that stand for others in its pipeline.
+    pub layers: BTreeMap<String, String>,
+    /// The pattern that its pipeline reads.
+    pattern: Option<PathBuf>,
 }
 
-/// The mesh in a folder that its pipeline names.
-fn body_of(folder: &Path) -> Option<Body> {
-    let text = std::fs::read_to_string(folder.join("pipeline.toml")).ok()?;
-    let table: toml::Table = text.parse().ok()?;
-    let name = table.get("stage")?.as_array()?.iter().find_map(|stage| stage.get("with")?.get("body")?.as_str())?;
-    let path = folder.join(name);
-    path.is_file().then_some(Body::File(path))
+/// The pipeline of a folder.
+fn pipeline_of(folder: &Path) -> Option<toml::Table> {
+    std::fs::read_to_string(folder.join("pipeline.toml")).ok()?.parse().ok()
+}
+
+/// What the stages of a pipeline say at a key.
+fn value<'a>(pipeline: &'a toml::Table, key: &str) -> Option<&'a toml::Value> {
+    pipeline.get("stage")?.as_array()?.iter().find_map(|stage| stage.get("with")?.get(key))
+}
+
+/// The text at a key.
+fn said<'a>(pipeline: &'a toml::Table, key: &str) -> Option<&'a str> {
+    value(pipeline, key)?.as_str()
+}
+
+/// The size that a pipeline sews: an input of this name, or what the import says.
+fn size_of(pipeline: &toml::Table) -> Option<String> {
+    let input = pipeline.get("input").and_then(|i| i.get("size")?.get("default")?.as_str());
+    input.or_else(|| said(pipeline, "size")).map(str::to_owned)
 }
 
 impl Earlier {
@@ -59,7 +83,50 @@ impl Earlier {
         let json = read_limited(&proposal, &proposal, MAX_INPUT).ok();
         let json: Value = json.and_then(|b| serde_json::from_slice(&b).ok()).unwrap_or_default();
         let list = |key: &str| json[key].as_array().cloned().unwrap_or_default();
-        Ok(Some(Self { text, plan, pieces: list("pieces"), seams: list("seams"), body: body_of(folder) }))
+        let pipeline = pipeline_of(folder).unwrap_or_default();
+        let body = said(&pipeline, "body").map(|name| folder.join(name)).filter(|path| path.is_file());
+        Ok(Some(Self {
+            text,
+            plan,
+            pieces: list("pieces"),
+            seams: list("seams"),
+            body: body.map(Body::File),
+            size: size_of(&pipeline),
+            unit: value(&pipeline, "units").and_then(|v| v.clone().try_into().ok()),
+            layers: value(&pipeline, "layers").and_then(|v| v.clone().try_into().ok()).unwrap_or_default(),
+            pattern: said(&pipeline, "file").map(|name| folder.join(name)),
+        }))
+    }
+
+    /// Refuses a pattern, or a size of it, that the folder was not made from.
+    ///
+    /// # Errors
+    /// What the folder was made from.
+    pub fn check(&self, pattern: &Path, size: Option<&str>) -> Result<(), Vec<Diagnostic>> {
+        let refused = |message: String, or: &str| {
+            let finding = Diagnostic::error(FOLDER_OF_ANOTHER, message);
+            Err(vec![finding.hint(format!("choose another folder with --out{or}"))])
+        };
+        let own = self.pattern.as_deref().filter(|own| own.is_file());
+        let read = |path: &Path| read_limited(path, path, MAX_INPUT).ok();
+        if let Some(own) = own
+            && own.file_stem() != pattern.file_stem()
+        {
+            return refused(format!("this folder is that of `{}`, not of `{}`", clean(own), clean(pattern)), "");
+        }
+        if let Some(own) = own
+            && read(own) != read(pattern)
+        {
+            let message = format!("`{}` is another pattern than `{}`", clean(own), clean(pattern));
+            return refused(message, ", or copy the new pattern over the one in the folder first");
+        }
+        match (&self.size, size) {
+            (Some(own), Some(size)) if !own.trim().eq_ignore_ascii_case(size.trim()) => {
+                let message = format!("this folder sews size {}, not {}", shown(own, &[]), shown(size, &[]));
+                refused(message, ", or write the size into its pipeline.toml")
+            }
+            _ => Ok(()),
+        }
     }
 
     /// Likelihood of a seam. One that the person has not confirmed yet is no surer for lying in the sewing file.

@@ -2,11 +2,12 @@
 
 use super::codes::{BODY_CHOSEN, BODY_DOES_NOT_FIT};
 use super::dress::Dressed;
+use super::pattern::Source;
 use super::stock::Body;
 use toile_garment::text::shown;
 use toile_garment::{Diagnostic, Garment, Piece, Vec2, Vec3};
 use toile_stages::arrange::{Place, Segment};
-use toile_stages::body::{BodyMeasures, SIZE_TABLES, girth_at};
+use toile_stages::body::{BodyMeasures, SIZE_TABLES, SizeTable, girth_at};
 use toile_stages::roles::{Part, Role};
 
 /// Distance of the heights at which the pattern is measured, metres.
@@ -35,18 +36,28 @@ struct Pair {
 
 /// The doubt of a body that a pattern was laid on, if there is one.
 pub fn question(
-    garment: &Garment,
+    source: &Source,
     dressed: &Dressed,
     own: &Body,
     body: &toile_garment::body::Body,
 ) -> Option<Diagnostic> {
-    pairs(garment, dressed, body).into_iter().find_map(|pair| ask(garment, &pair, own))
+    pairs(&source.garment, dressed, body).into_iter().find_map(|pair| ask(source, &pair, own))
 }
 
-/// The body of the pattern's own size, where the pattern has its usual ease on it and not on the usual body.
-pub fn better(garment: &Garment, dressed: &Dressed, body: &toile_garment::body::Body) -> Option<(Body, Diagnostic)> {
+/// The body of the pattern's own size, where the pattern has its usual ease on it and not on the usual body, or where a
+/// person asked for this size of the pattern.
+pub fn better(
+    source: &Source,
+    dressed: &Dressed,
+    body: &toile_garment::body::Body,
+    is_size_asked: bool,
+) -> Option<(Body, Diagnostic)> {
+    let garment = &source.garment;
     let label = garment.size.as_deref()?;
-    let of = |pair: Pair| of_label(&pair, label).map(|own| (pair, own));
+    let of = |pair: Pair| {
+        let own = of_label(&pair, label, source);
+        own.filter(|own| is_size_asked || is_better(&pair, own.1)).map(|own| (pair, own))
+    };
     let (pair, (name, girth)) = pairs(garment, dressed, body).into_iter().find_map(of)?;
     let message = format!(
         "the pattern is of size {} and measures {} around the {}; body {name} has {}: it was chosen",
@@ -70,16 +81,44 @@ impl Pair {
     }
 }
 
-/// The size of a label on which a garment has a clearly more usual ease than on its body, and its girth.
-fn of_label(pair: &Pair, label: &str) -> Option<(String, f64)> {
-    let now = pair.garment - pair.body;
-    let own = SIZE_TABLES.iter().flat_map(|table| {
+/// The size of a label, and its girth; of several kinds of person the one with the most usual ease.
+fn of_label(pair: &Pair, label: &str, source: &Source) -> Option<(String, f64)> {
+    let own = kinds(source).into_iter().flat_map(|table| {
         let sizes = table.sizes.iter().filter(|s| s.label() == label.trim());
         sizes.map(|s| (table.name(s), value(&table.measures(s), pair.measure)))
     });
-    let best = own.min_by(|a, b| pair.off(pair.garment - a.1).total_cmp(&pair.off(pair.garment - b.1)))?;
-    let is_nearer = pair.off(pair.garment - best.1) + NEARER < pair.off(now);
-    (is_nearer && !pair.is_usual(now)).then_some(best)
+    own.min_by(|a, b| pair.off(pair.garment - a.1).total_cmp(&pair.off(pair.garment - b.1)))
+}
+
+/// Has a garment a clearly more usual ease on another girth than on its body?
+fn is_better(pair: &Pair, girth: f64) -> bool {
+    let now = pair.garment - pair.body;
+    pair.off(pair.garment - girth) + NEARER < pair.off(now) && !pair.is_usual(now)
+}
+
+/// Words of files for kinds of person.
+const KINDS: [(&str, &[&str]); 3] = [
+    ("women", &["WOMAN", "WOMEN", "WOMENS", "LADY", "LADIES", "DAMEN", "FEMME", "MUJER", "DONNA", "KADIN"]),
+    ("men", &["MAN", "MEN", "MENS", "HERREN", "HOMME", "HOMBRE", "UOMO", "ERKEK"]),
+    (
+        "child",
+        &["CHILD", "CHILDREN", "KID", "KIDS", "BOY", "BOYS", "GIRL", "GIRLS", "KINDER", "ENFANT", "BEBE", "BABY"],
+    ),
+];
+
+/// The kinds of person that a garment may be for: those that the name of the file or the style names, else those that
+/// have all sizes of the file. All of them where nothing is told.
+fn kinds(source: &Source) -> Vec<&'static SizeTable> {
+    let text = format!("{} {}", source.stem, source.garment.style).to_uppercase();
+    let words: Vec<&str> = text.split(|c: char| !c.is_alphabetic()).collect();
+    let is_named = |table: &SizeTable| {
+        KINDS.iter().any(|(kind, known)| *kind == table.word && known.iter().any(|k| words.contains(k)))
+    };
+    let has = |table: &SizeTable, label: &str| table.sizes.iter().any(|s| s.label() == label.trim());
+    let has_all = |table: &SizeTable| !source.sizes.is_empty() && source.sizes.iter().all(|s| has(table, s));
+    let of = |holds: &dyn Fn(&SizeTable) -> bool| SIZE_TABLES.iter().filter(|t| holds(t)).collect::<Vec<_>>();
+    let told = [of(&is_named), of(&has_all)].into_iter().find(|tables| !tables.is_empty());
+    told.unwrap_or_else(|| SIZE_TABLES.iter().collect())
 }
 
 fn mm(x: f64) -> String {
@@ -109,11 +148,15 @@ fn pairs(garment: &Garment, dressed: &Dressed, body: &toile_garment::body::Body)
     out
 }
 
-fn ask(garment: &Garment, pair: &Pair, own: &Body) -> Option<Diagnostic> {
+fn ask(source: &Source, pair: &Pair, own: &Body) -> Option<Diagnostic> {
+    let garment = &source.garment;
     let ease = pair.garment - pair.body;
     let is_narrow = ease < -STRETCH * pair.body;
     let is_wide = !pair.may_hang && ease > TENT;
-    let is_other = garment.size.as_deref().is_some_and(|label| of_label(pair, label).is_some());
+    let is_other = garment
+        .size
+        .as_deref()
+        .is_some_and(|label| of_label(pair, label, source).is_some_and(|own| is_better(pair, own.1)));
     if !is_narrow && !is_wide && !is_other {
         return None;
     }
@@ -130,23 +173,35 @@ fn ask(garment: &Garment, pair: &Pair, own: &Body) -> Option<Diagnostic> {
     );
     let label =
         garment.size.as_deref().map_or(String::new(), |s| format!("the pattern is of size {}; ", shown(s, &[])));
+    let size = size_of_body(source, own).map_or(String::new(), |size| {
+        format!("the file holds the size of the body, too: --size {}; ", shown(size, &[]))
+    });
     let [least, most] = pair.usual.map(|x| 1e3 * x);
-    let hint = match fitting(pair, garment.size.as_deref()).as_slice() {
-        [] => format!("{label}no size has the usual ease of {least:.0} to {most:.0} mm; --body FILE.obj takes a mesh"),
-        sizes => {
-            format!("{label}bodies of the usual ease ({least:.0} to {most:.0} mm): --body {}", sizes.join(", --body "))
-        }
+    let hint = match fitting(pair, source).as_slice() {
+        [] => format!("no size has the usual ease of {least:.0} to {most:.0} mm; --body FILE.obj takes a mesh"),
+        sizes => format!("bodies of the usual ease ({least:.0} to {most:.0} mm): --body {}", sizes.join(", --body ")),
     };
-    Some(Diagnostic::warning(BODY_DOES_NOT_FIT, message).hint(hint))
+    Some(Diagnostic::warning(BODY_DOES_NOT_FIT, message).hint(format!("{label}{size}{hint}")))
+}
+
+/// The size of the file that is called as the body is, and is not the one that was taken.
+fn size_of_body<'a>(source: &'a Source, own: &Body) -> Option<&'a str> {
+    let Body::Size(name) = own else { return None };
+    let label = name.rsplit('-').next()?;
+    let is_taken = source.garment.size.as_deref().is_some_and(|s| s.trim() == label);
+    source.sizes.iter().map(String::as_str).find(|s| s.trim() == label && !is_taken)
 }
 
 /// Sizes for a garment: that of its label, then those of the usual ease, the nearest first.
-fn fitting(pair: &Pair, label: Option<&str>) -> Vec<String> {
-    let all = SIZE_TABLES.iter().flat_map(|table| table.sizes.iter().map(|s| (table.name(s), table.measures(s))));
+fn fitting(pair: &Pair, source: &Source) -> Vec<String> {
+    let tables = kinds(source).into_iter();
+    let all = tables.flat_map(|table| table.sizes.iter().map(|s| (table.name(s), table.measures(s))));
     let easy = all.map(|(name, measures)| (name, pair.garment - value(&measures, pair.measure)));
     let mut usual: Vec<(String, f64)> = easy.filter(|(_, ease)| pair.is_usual(*ease)).collect();
     usual.sort_by(|a, b| pair.off(a.1).total_cmp(&pair.off(b.1)));
-    let own = label.and_then(|label| of_label(pair, label)).map(|(name, _)| name);
+    let label = source.garment.size.as_deref();
+    let own = label.and_then(|label| of_label(pair, label, source)).filter(|own| is_better(pair, own.1));
+    let own = own.map(|(name, _)| name);
     let others: Vec<String> =
         usual.into_iter().map(|(name, _)| name).filter(|name| Some(name) != own.as_ref()).collect();
     own.into_iter().chain(others).take(NAMED).collect()

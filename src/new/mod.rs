@@ -19,7 +19,7 @@ mod stand;
 mod stock;
 mod unsewn;
 
-pub(crate) use codes::{BODY_NOT_STANDING, FABRIC_CHOSEN};
+pub(crate) use codes::{BODY_NOT_STANDING, FABRIC_CHOSEN, SIZE_TAKEN};
 pub use earlier::Earlier;
 pub use folder::{Folder, Made};
 pub use pattern::{Source, Why, Wishes, read};
@@ -45,6 +45,8 @@ pub struct Order<'a> {
     pub body: Body,
     /// Did a person ask for this body?
     pub is_body_asked: bool,
+    /// Did a person ask for this size of the pattern?
+    pub is_size_asked: bool,
     /// The fabric.
     pub fabric: Fabric,
     /// The folder's earlier content.
@@ -119,18 +121,18 @@ fn worn(order: &Order<'_>, source: &Source, proposal: &Proposal) -> Result<Worn,
         let dressed = dress::dress(source, proposal, opened.model.as_ref(), order.is_anonymous);
         Ok((opened, dressed))
     };
-    let garment = &source.garment;
     let mut body = order.body.clone();
     let (mut opened, mut dressed) = lay(&body)?;
     let mut findings = std::mem::take(&mut opened.findings);
     if !order.is_body_asked
-        && let Some((other, finding)) = opened.model.as_ref().and_then(|b| fits::better(garment, &dressed, b))
+        && let Some((other, finding)) =
+            opened.model.as_ref().and_then(|b| fits::better(source, &dressed, b, order.is_size_asked))
     {
         (opened, dressed) = lay(&other)?;
         body = other;
         findings.push(finding);
     }
-    findings.extend(opened.model.as_ref().and_then(|b| fits::question(garment, &dressed, &body, b)));
+    findings.extend(opened.model.as_ref().and_then(|b| fits::question(source, &dressed, &body, b)));
     Ok(Worn { body, opened, dressed, findings })
 }
 

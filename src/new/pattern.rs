@@ -1,9 +1,10 @@
 //! The pattern that a folder is made from.
 
 use super::alternatives::word_of_knit;
-use super::codes::PATTERN_TINY;
+use super::codes::{PATTERN_HUGE, PATTERN_TINY};
 use super::cut;
 use crate::engine::{MAX_INPUT, of_file_error, of_stage_error, read_limited};
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use toile_formats::dxf::{self, ReadOptions};
 use toile_formats::rul;
@@ -18,6 +19,10 @@ pub struct Wishes {
     pub leave_out: Vec<String>,
     /// The unit of the coordinates, overruling the file.
     pub unit: Option<FileUnit>,
+    /// The size.
+    pub size: Option<String>,
+    /// Layers of the file that stand for others.
+    pub layers: BTreeMap<String, String>,
 }
 
 /// Why a piece is left out.
@@ -52,6 +57,10 @@ pub struct Source {
     pub stood_for: Vec<String>,
     /// The unit of the coordinates, where a person gave it.
     pub unit: Option<FileUnit>,
+    /// Layers of the file that stand for others, as a person gave them.
+    pub layers: BTreeMap<String, String>,
+    /// All sizes of the file.
+    pub sizes: Vec<String>,
     /// Findings of the reader.
     pub findings: Vec<Diagnostic>,
 }
@@ -113,14 +122,13 @@ pub fn read(path: &Path, plan: Option<SewingPlan>, wishes: &Wishes) -> Result<So
     let table = beside.as_ref().and_then(|(p, b)| rul::read(b, &p.to_string_lossy()).ok());
     let options = ReadOptions {
         mm_per_unit: wishes.unit.map(FileUnit::mm),
+        layers: wishes.layers.clone(),
         rule_units: table.as_ref().and_then(|t| t.units.clone()),
         ..ReadOptions::default()
     };
     let pattern = dxf::read(&bytes, &name, &options)?;
-    let (mut garment, more) = pattern.to_garment(None, table.as_ref())?;
-    if wishes.unit.is_none() {
-        check_size(&garment, pattern.units.mm_per_unit)?;
-    }
+    let (mut garment, more) = pattern.to_garment(wishes.size.as_deref(), table.as_ref())?;
+    check_size(&garment, pattern.units.mm_per_unit, wishes.unit.is_some())?;
     let mut findings = pattern.told_findings();
     findings.extend(more);
     let cut = if plan.is_none() { cut::plan(&garment, &wishes.leave_out) } else { cut::Cut::default() };
@@ -141,38 +149,51 @@ pub fn read(path: &Path, plan: Option<SewingPlan>, wishes: &Wishes) -> Result<So
         not_cut: cut.not_cut,
         stood_for: cut.stood_for,
         unit: wishes.unit,
+        layers: wishes.layers.clone(),
+        sizes: pattern.size_order(table.as_ref()),
         findings,
     })
 }
 
-/// The largest piece of a garment is larger, m. The mitten of a baby measures 0.1 m.
+/// The largest piece of a garment is longer, m. The mitten of a baby measures 0.1 m.
 const LARGEST_PIECE_LEAST: f64 = 0.09;
+/// The largest piece of a garment has a smaller area, m². Cloth is up to 3.2 m wide. A full circle skirt down to the floor
+/// has 7 m², and the front of a child's shirt, ten times too large, has 12.
+const AREA_MOST: f64 = 10.0;
 /// Lengths of the largest piece of a garment that are named as likely, mm.
 const GARMENT: std::ops::Range<f64> = 90.0..2500.0;
 
-/// Refuses a pattern whose largest piece is smaller than any garment's. `mm` is the unit that it was read in, millimetres.
-fn check_size(garment: &Garment, mm: f64) -> Result<(), Vec<Diagnostic>> {
-    let span = |p: &Piece| {
-        let far = Vec2::repeat(f64::INFINITY);
-        let bounds = |[low, high]: [Vec2; 2], p: Vec2| [low.inf(&p), high.sup(&p)];
-        let [low, high] = p.outline.positions().into_iter().fold([far, -far], bounds);
-        (high - low).max()
-    };
+/// Refuses a pattern whose largest piece is smaller than any garment's, unless a person said the unit, or larger than any
+/// garment's. `mm` is the unit that it was read in, millimetres.
+fn check_size(garment: &Garment, mm: f64, is_unit_said: bool) -> Result<(), Vec<Diagnostic>> {
     let largest = garment.pieces.iter().map(span).fold(0.0, f64::max);
-    if largest >= LARGEST_PIECE_LEAST || largest <= 0.0 {
+    let area = garment.pieces.iter().map(|p| p.outline.signed_area().abs()).fold(0.0, f64::max);
+    let is_tiny = largest > 0.0 && largest < LARGEST_PIECE_LEAST && !is_unit_said;
+    let (code, told) = if is_tiny {
+        (PATTERN_TINY, format!("is {:.0} mm long", largest * 1e3))
+    } else if area > AREA_MOST {
+        (PATTERN_HUGE, format!("has {area:.0} m² and is up to {:.1} m long", largest))
+    } else {
         return Ok(());
-    }
+    };
     let long = |unit: f64| largest * 1e3 / mm * unit;
-    let is_likely = |(_, unit): &(&str, f64)| GARMENT.contains(&long(*unit));
-    let units = [("cm", 10.0), ("inch", 25.4), ("m", 1e3)].into_iter().filter(is_likely);
-    let in_unit = |(word, unit): (&str, f64)| format!("`--units {word}` makes it {:.0} mm long, ", long(unit));
-    let choices: String = units.map(in_unit).collect();
-    let message =
-        format!("the largest piece is {:.0} mm long, which no garment's is: the unit is wrong", largest * 1e3);
-    Err(vec![
-        Diagnostic::error(PATTERN_TINY, message)
-            .hint(format!("say the unit: {choices}`--units mm` {:.0} mm", long(1.0))),
-    ])
+    let units = [("mm", 1.0), ("cm", 10.0), ("inch", 25.4), ("m", 1e3)];
+    let (likely, others): (Vec<_>, Vec<_>) = units.into_iter().partition(|(_, unit)| GARMENT.contains(&long(*unit)));
+    // A doll's dress may be meant: the smallest unit is always named.
+    let named = likely.into_iter().chain(others.into_iter().filter(|(word, _)| is_tiny && *word == "mm"));
+    let in_unit = |(word, unit): (&str, f64)| format!("`--units {word}` makes it {:.0} mm long", long(unit));
+    let choices: Vec<String> = named.map(in_unit).collect();
+    let message = format!("the largest piece {told}, which no garment's is: the unit is wrong");
+    let hint = if choices.is_empty() { "no unit makes a garment of it".to_owned() } else { choices.join(", ") };
+    Err(vec![Diagnostic::error(code, message).hint(format!("say the unit: {hint}"))])
+}
+
+/// The longer side of the box around a piece, metres.
+fn span(piece: &Piece) -> f64 {
+    let far = Vec2::repeat(f64::INFINITY);
+    let bounds = |[low, high]: [Vec2; 2], p: Vec2| [low.inf(&p), high.sup(&p)];
+    let [low, high] = piece.outline.positions().into_iter().fold([far, -far], bounds);
+    (high - low).max()
 }
 
 /// The rule table beside a pattern: the same name with `.rul`, upper and lower case not told apart.

@@ -2,6 +2,7 @@
 
 use super::folder::Folder;
 use super::stock::{Body, Fabric};
+use toile_formats::codes::SIZE_NOT_FOUND;
 use toile_garment::Diagnostic;
 
 /// A garment that comes with the program.
@@ -57,39 +58,41 @@ impl Sample {
         SAMPLES.iter().find(|s| s.word == word || s.name == word)
     }
 
-    /// Its folder: the pattern in the size of the body, with sewing file, fabric and body.
+    /// Its folder: the pattern in a size, or in that of the body, with sewing file, fabric and body.
     ///
     /// # Errors
-    /// The body or fabric is not there.
-    pub fn folder(&self, body: &Body, fabric: &Fabric) -> Result<Folder, Vec<Diagnostic>> {
+    /// The size, body or fabric is not there.
+    pub fn folder(&self, size: Option<&str>, body: &Body, fabric: &Fabric) -> Result<Folder, Vec<Diagnostic>> {
+        if let Some(size) = size.filter(|size| !SIZES.contains(size)) {
+            let message = format!("size `{size}` is not in this pattern; there are: {}", SIZES.join(", "));
+            return Err(vec![Diagnostic::error(SIZE_NOT_FOUND, message)]);
+        }
         let mut folder = Folder::default();
         folder.add(&format!("{}.dxf", self.name), self.pattern.to_vec());
         for (name, bytes) in body.open()?.files.into_iter().chain(fabric.files()?) {
             folder.add(&name, bytes);
         }
         folder.add("sewing.toml", self.sewing.as_bytes().to_vec());
-        folder.add("pipeline.toml", self.pipeline(body, fabric).into_bytes());
+        folder.add("pipeline.toml", self.pipeline(size, body, fabric).into_bytes());
         Ok(folder)
     }
 
     /// The pipeline of the sample with the paths of the folder. Textures stay out, and a plain colour stands in.
-    fn pipeline(&self, body: &Body, fabric: &Fabric) -> String {
+    fn pipeline(&self, size: Option<&str>, body: &Body, fabric: &Fabric) -> String {
         let own = match body {
             Body::Size(size) => size.trim_start_matches("women-"),
             Body::File(_) => SIZE,
         };
         // The samples are graded in these sizes.
-        let size = SIZES.into_iter().find(|size| *size == own).unwrap_or(SIZE);
-        let size = format!("with.size   = {size:?}");
+        let size = size.or(SIZES.into_iter().find(|size| *size == own)).unwrap_or(SIZE);
+        let size = format!("size    = {{ kind = \"text\", default = {size:?} }}");
         let line = |text: &str| -> Option<String> {
             let key = text.split('=').next().unwrap_or_default().trim();
             Some(match key {
-                "#:schema ../toile.schema.json" | "with.repeat" | "size" | "fabric" | "pattern" | "[input]" => {
-                    return None;
-                }
+                "#:schema ../toile.schema.json" | "with.repeat" | "fabric" | "pattern" => return None,
+                "size" => size.clone(),
                 "with.file" if text.contains("samples") => format!("with.file   = \"{}.dxf\"", self.name),
                 "with.sewing" => "with.sewing = \"sewing.toml\"".to_owned(),
-                "with.size" => size.clone(),
                 "with.body" => format!("with.body   = {:?}", body.file_name()),
                 "with.fabric" => format!("with.fabric = {:?}", fabric.file_name()),
                 "with.image" => "with.color  = \"#9aa7c7\"".to_owned(),

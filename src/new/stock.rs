@@ -3,6 +3,7 @@
 use super::codes;
 use super::stand::{told, upright};
 use crate::engine::{MAX_INPUT, of_file_error, read_limited};
+use crate::pipeline::remedy;
 use std::path::{Path, PathBuf};
 use toile_formats::codes::SIZE_NOT_FOUND;
 use toile_garment::{Diagnostic, Severity};
@@ -231,9 +232,9 @@ impl Fabric {
 }
 
 fn no_fabric(name: &str) -> Diagnostic {
-    let names: Vec<&str> = FABRICS.iter().map(|(n, _)| *n).collect();
+    let remedy = remedy(name, FABRICS.iter().map(|(n, _)| *n));
     Diagnostic::error(codes::FABRIC_NOT_KNOWN, format!("there is no fabric `{name}`"))
-        .hint(format!("there are {}; a file of your own is named FILE.toml", names.join(", ")))
+        .hint(format!("{remedy} (a file of your own is named FILE.toml)"))
 }
 
 fn name_of(path: &Path) -> String {

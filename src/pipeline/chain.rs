@@ -82,7 +82,7 @@ impl PathText {
 /// Looks up and checks everything. The chain is whole only when the report has no error.
 pub fn link<'r>(document: &Document<'_>, registry: &'r Registry, report: &mut Report) -> Pipeline<'r> {
     let mut cx = Reader { source: document.source, report };
-    let overrides = overrides::sort(&mut cx, document);
+    let overrides = overrides::sort(&mut cx, document, registry);
     let values = settle(&mut cx, &document.inputs, &overrides.inputs, &document.line, document.version);
     let mut chain = Chain::new(registry);
     let mut schemas: BTreeMap<&str, SchemaTree> = BTreeMap::new();

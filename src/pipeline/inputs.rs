@@ -199,10 +199,17 @@ fn word_of(kind: InputKind) -> &'static str {
     KINDS.iter().find(|(_, k)| *k == kind).map_or("text", |(word, _)| word)
 }
 
-/// Errors of inputs that are declared but whose name is not known to `--set`.
-pub(super) fn refuse_unknown_set(cx: &mut Reader<'_>, key: &str, index: usize, known: &[String]) {
+/// The error of an override that names neither an input nor a stage. `owners` are the parameters of this name, which the
+/// line to type names; `known` is all that might be meant.
+pub(super) fn refuse_unknown_set(cx: &mut Reader<'_>, index: usize, set: &str, owners: &[String], known: Vec<String>) {
+    let (key, value) = set.split_once('=').unwrap_or((set, ""));
     let span = cx.source.span_of_set(index);
-    let hint = remedy(key, known.iter().map(String::as_str));
-    let message = format!("`{key}` is neither an input nor a stage's parameter (stage-id.key)");
+    let hint = if owners.is_empty() {
+        remedy(key.trim(), known.iter().map(String::as_str))
+    } else {
+        let lines: Vec<String> = owners.iter().map(|owner| format!("--set '{owner}={value}'")).collect();
+        format!("write {}", lines.join(" or "))
+    };
+    let message = format!("`{}` is neither an input nor a stage's parameter (stage-id.key)", key.trim());
     cx.push(codes::UNKNOWN_SET, &span, message, hint);
 }

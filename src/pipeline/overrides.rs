@@ -5,7 +5,7 @@ use super::inputs::refuse_unknown_set;
 use super::schema_walk::SchemaTree;
 use crate::codes::SET_FORM;
 use std::ops::Range;
-use toile_stage_api::Knob;
+use toile_stage_api::{Knob, Registry};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
@@ -34,7 +34,7 @@ pub(super) struct Overrides<'t> {
 }
 
 /// Sorts the overrides and refuses those that name nothing.
-pub(super) fn sort<'t>(cx: &mut Reader<'_>, document: &Document<'t>) -> Overrides<'t> {
+pub(super) fn sort<'t>(cx: &mut Reader<'_>, document: &Document<'t>, registry: &Registry) -> Overrides<'t> {
     let mut sorted = Overrides::default();
     for (index, set) in document.source.sets().iter().enumerate() {
         let Some((key, raw)) = set.split_once('=') else {
@@ -53,9 +53,16 @@ pub(super) fn sort<'t>(cx: &mut Reader<'_>, document: &Document<'t>) -> Override
         } else if let Some((stage, path)) = stage_key(document, key) {
             sorted.params.push(ParamSet { stage, path, raw, index });
         } else {
-            let ids = document.stages.iter().map(|s| format!("{}.{}", s.id, key.split('.').next_back().unwrap_or(key)));
-            let known: Vec<String> = document.inputs.keys().cloned().chain(ids).collect();
-            refuse_unknown_set(cx, key, index, &known);
+            let last = key.split('.').next_back().unwrap_or(key);
+            let named = |stages: Vec<&StageEntry<'_>>| -> Vec<String> {
+                stages.iter().map(|s| format!("{}.{last}", s.id)).collect()
+            };
+            let has = |s: &&StageEntry<'_>| {
+                registry.get(s.name.get_ref()).is_some_and(|stage| SchemaTree::of(stage).has(&[last]))
+            };
+            let owners = named(document.stages.iter().filter(has).collect());
+            let known = document.inputs.keys().cloned().chain(named(document.stages.iter().collect())).collect();
+            refuse_unknown_set(cx, index, set, &owners, known);
         }
     }
     sorted
@@ -95,7 +102,7 @@ pub(super) fn apply<'t>(
 ) {
     for set in sets.iter().filter(|s| s.stage == entry.id) {
         let span = cx.source.span_of_set(set.index);
-        let value = typed(set.raw, schema.wants_text(&set.path), &span);
+        let value = typed(set.raw, &set.path, schema, &span);
         if !insert(table, &set.path, value, &span) {
             let message = format!("`{}` lies below a value that is no table", set.path.join("."));
             cx.push(SET_FORM, &span, message, "name the key of a value");
@@ -103,14 +110,23 @@ pub(super) fn apply<'t>(
     }
 }
 
-/// A TOML value where it reads as one and the parameter is no text; the text itself otherwise.
-fn typed<'t>(raw: &'t str, wants_text: bool, span: &Range<usize>) -> Spanned<DeValue<'t>> {
-    let quoted = raw.trim_start().starts_with(['"', '\'']);
-    let value = match DeValue::parse(raw) {
-        Ok(value) if !wants_text || quoted => value.into_inner(),
-        _ => DeValue::String(raw.into()),
-    };
-    Spanned::new(span.clone(), respan(value, span))
+/// A TOML value where it reads as one that the parameter can hold; the text itself otherwise.
+fn typed<'t>(raw: &'t str, path: &[&str], schema: &SchemaTree, span: &Range<usize>) -> Spanned<DeValue<'t>> {
+    let is_meant = |value: &DeValue<'_>| value.is_str() || !schema.takes_text_for(path, kind(value));
+    let value = DeValue::parse(raw).ok().map(Spanned::into_inner).filter(is_meant);
+    Spanned::new(span.clone(), respan(value.unwrap_or_else(|| DeValue::String(raw.into())), span))
+}
+
+/// The JSON type of a TOML value.
+fn kind(value: &DeValue<'_>) -> &'static str {
+    match value {
+        DeValue::Integer(_) => "integer",
+        DeValue::Float(_) => "number",
+        DeValue::Boolean(_) => "boolean",
+        DeValue::Array(_) => "array",
+        DeValue::Table(_) => "object",
+        DeValue::String(_) | DeValue::Datetime(_) => "string",
+    }
 }
 
 /// Spans within the override mean nothing in the file: all of it stands at the override.

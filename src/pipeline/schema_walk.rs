@@ -76,28 +76,41 @@ impl SchemaTree {
         at
     }
 
-    /// Is the parameter at this path a text and nothing else?
+    /// Can the parameter at this path hold a text, and no value of the JSON type `kind`?
     #[must_use]
-    pub fn wants_text(&self, path: &[&str]) -> bool {
-        let mut at = self.root();
-        for key in path {
-            let step = if key.bytes().all(|b| b.is_ascii_digit()) { at.get("items") } else { None };
-            match step.or_else(|| at.get("properties")?.get(*key)).or_else(|| at.get("additionalProperties")) {
-                Some(next) => at = self.resolve(next),
-                None => return false,
-            }
-        }
-        self.is_text(at)
+    pub fn takes_text_for(&self, path: &[&str], kind: &str) -> bool {
+        let kinds = self.at(path).map(|schema| self.kinds(schema)).unwrap_or_default();
+        let holds = |wanted: &str| kinds.iter().any(|k| *k == wanted || *k == "number" && wanted == "integer");
+        holds("string") && (kind == "string" || !holds(kind))
     }
 
-    fn is_text(&self, schema: &Value) -> bool {
-        let text_type = match schema.get("type") {
-            Some(Value::String(t)) => t == "string",
-            Some(Value::Array(types)) => types.iter().all(|t| t == "string" || t == "null"),
-            _ => schema.get("const").is_some_and(Value::is_string),
-        };
+    /// Has the stage a parameter of this path?
+    #[must_use]
+    pub fn has(&self, path: &[&str]) -> bool {
+        self.at(path).is_some()
+    }
+
+    /// The schema of the parameter at a path.
+    fn at(&self, path: &[&str]) -> Option<&Value> {
+        path.iter().try_fold(self.root(), |at, key| {
+            let step = if key.bytes().all(|b| b.is_ascii_digit()) { at.get("items") } else { None };
+            let next = step.or_else(|| at.get("properties")?.get(*key)).or_else(|| at.get("additionalProperties"))?;
+            Some(self.resolve(next))
+        })
+    }
+
+    /// The JSON types that a schema lets through; none where it does not say.
+    fn kinds<'a>(&'a self, schema: &'a Value) -> Vec<&'a str> {
         let branches = ["oneOf", "anyOf"].iter().find_map(|k| schema.get(*k)?.as_array());
-        text_type || branches.is_some_and(|b| b.iter().filter(|s| !is_null(s)).all(|s| self.is_text(self.resolve(s))))
+        if let Some(branches) = branches {
+            return branches.iter().flat_map(|b| self.kinds(self.resolve(b))).collect();
+        }
+        match schema.get("type") {
+            Some(Value::String(kind)) => vec![kind],
+            Some(Value::Array(kinds)) => kinds.iter().filter_map(Value::as_str).collect(),
+            _ if schema.get("const").is_some_and(Value::is_string) => vec!["string"],
+            _ => Vec::new(),
+        }
     }
 
     /// All parameters that are files.

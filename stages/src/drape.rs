@@ -9,6 +9,7 @@ mod params;
 mod ranges;
 mod repeats;
 mod tightness;
+mod undraped;
 mod unheld;
 mod unused;
 
@@ -48,6 +49,11 @@ codes! {
     /// The fabric gives `bending_hysteresis` beside bending lengths of [fast]. They were measured on cloth whose yarns
     /// rub, so they hold this friction already, and it was not used again.
     HYSTERESIS_UNUSED = "hysteresis-unused";
+
+    /// A seam stands open so wide after sewing that no drape can close it, so the garment was not draped. It is written as it
+    /// was sewn, and the certificate fails. Correct the seams that `seam-open` names. `open_seams` of `drape` says from
+    /// which gap on.
+    NOT_DRAPED = "not-draped";
 
     /// How far apart the garment comes to rest from starts that differ by 1 µm (`--repeats`). `plan` advises to measure it
     /// where nothing holds the cloth.
@@ -146,8 +152,14 @@ impl Stage for Drape {
             ..Shape::default()
         };
         let shown = |x: &[Vec3]| Garment { drape: Some(shape(x)), ..garment.clone() };
-        let draped = unheld::drape(&mut sewn_scene, &settings, &mut Follow::showing(cx, &shown));
+        let wide = undraped::wide_open(&garment, &stitched, params.open_seams).filter(|_| stitched.sewn);
+        cx.report.findings.extend(wide.map(|(seam, gap)| undraped::finding(seam, gap)));
+        let draped = match wide {
+            Some((_, gap)) => Ok((undraped::outcome(&sewn_scene, gap), vec![false; sewn_scene.positions.len()])),
+            None => unheld::drape(&mut sewn_scene, &settings, &mut Follow::showing(cx, &shown)),
+        };
         let (outcome, held) = draped.map_err(|e| failure_of_open_stitches(&e, open).unwrap_or_else(|| told(e)))?;
+        let repeats = if wide.is_some() { 0 } else { params.repeats };
         let stored: Vec<Vec3> = outcome.positions.iter().map(to_f32).collect();
         let figures = toile_cloth::certify(&sewn_scene, &settings, &stored).map_err(failure)?;
         let now = layout.split(&welded.spread(&stored));
@@ -164,7 +176,7 @@ impl Stage for Drape {
         (garment.drape, garment.drape_before_edit) = (Some(shape(&stored)), None);
         garment.reactions = reactions(&garment, &layout, &welded.map, &outcome);
         garment.stitched = Some(stitched);
-        let rests = repeats::measure(&sewn_scene, &settings, &outcome, params.repeats, cx).map_err(failure)?;
+        let rests = repeats::measure(&sewn_scene, &settings, &outcome, repeats, cx).map_err(failure)?;
         cx.report.findings.extend(rests.as_ref().map(repeats::finding));
         if let Some(certificate) = &mut garment.certificate {
             certificate.rests = rests;
@@ -251,12 +263,13 @@ fn tell(garment: &mut Garment, outcome: &Outcome, way: f64, cx: &mut StageContex
         );
         cx.report.push(Diagnostic::info(EDGES_TINY, message).hint(MESH_ANEW));
     }
-    if outcome.stop_reason != StopReason::Settled {
+    // Seams that stand open are told with their place.
+    if !matches!(outcome.stop_reason, StopReason::Settled | StopReason::SeamsOpen) {
         cx.report.push(
             Diagnostic::warning(
                 DRAPE_NOT_SETTLED,
                 format!(
-                    "the drape is not at rest: {}; net force up to {:.2} of a vertex's weight{}{}",
+                    "the drape is not at rest: {}; the forces left are up to {:.2} times the weight of the cloth there{}{}",
                     outcome.stop_reason.words(),
                     outcome.residual_rel,
                     speed(outcome),
@@ -299,7 +312,7 @@ fn remedy(reason: StopReason) -> &'static str {
         }
         StopReason::MaxSeconds => "give it more time (with.max_time)",
         _ => {
-            "look where the certificate's worst triangle lies; a coarser mesh, with.accuracy = \"draft\", or pieces placed nearer the body may help"
+            "look in the report where the cloth is stretched most; a coarser mesh, with.accuracy = \"draft\", or pieces placed nearer the body may help"
         }
     }
 }

@@ -406,8 +406,15 @@ fn report_profile(pattern: &dxf::Pattern, file: &str, cx: &mut StageContext<'_>)
     let profile = &pattern.profile;
     let effects: String = profile.effects.iter().map(|e| format!("; {e}")).collect();
     let (name, why) = (profile.vendor.name(), profile.reasons.join("; "));
-    let text =
-        format!("written by {name} ({:.0} %: {why}), as {}{effects}", profile.confidence * 100.0, profile.standard.0);
+    let sure = profile.confidence * 100.0;
+    let text = if sure > 0.0 {
+        format!("written by {name} ({sure:.0} %: {why}), as {}{effects}", profile.standard.0)
+    } else {
+        format!(
+            "no program is known that writes as this file does; it is read as plain {}{effects}",
+            profile.standard.0
+        )
+    };
     cx.report.push(Diagnostic::info(DXF_PROFILE, text).at(SourceRef::file(file)));
 }
 

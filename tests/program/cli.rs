@@ -56,7 +56,7 @@ fn a_sound_chain_is_said_so() {
     let bench = Bench::new();
     bench.stages("[[stage]]\nuse = \"test-sheet\"\nwith.side = \"1 m\"\n");
     let said = bench.check(&[]);
-    assert_eq!((said.code, said.out.as_str(), said.err.as_str()), (0, "the chain is sound: 1 stages\n", ""));
+    assert_eq!((said.code, said.out.as_str(), said.err.as_str()), (0, "nothing wrong was found: 1 stages\n", ""));
     let json: Value = serde_json::from_str(&bench.check(&["--format", "json"]).out).expect("JSON");
     assert_eq!(json["errors"], 0);
 }

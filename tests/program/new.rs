@@ -450,3 +450,134 @@ fn a_mesh_that_stands_otherwise_is_stood_upright() {
     let said = toile(&["new", pattern.to_str().expect("path"), "--out", &at("out")]);
     assert!(said.code <= 1 && !folder.path().join("out/body-38.obj").exists(), "{said:?}");
 }
+
+/// The text of a file in a folder.
+fn text_of(folder: &Path, name: &str) -> String {
+    std::fs::read_to_string(folder.join(name)).expect(name)
+}
+
+#[test]
+fn another_size_of_a_pattern_is_taken_with_its_body() {
+    let (_dir, out) = folder();
+    let (said, _) = new("long-skirt", &out, &["--size", "40"]);
+    assert!(said.err.contains("note[size-taken] size 40 was taken; the file holds 36, 38, 40"), "{said:?}");
+    let bodies: Vec<String> = support::bench::list(&out).into_iter().filter(|n| n.ends_with(".obj")).collect();
+    assert!(bodies.len() == 1 && bodies[0].ends_with("40.obj"), "{bodies:?}");
+    let pipeline = text_of(&out, "pipeline.toml");
+    assert!(pipeline.contains("default = \"40\"") && pipeline.contains("with.size   = \"{size}\""), "{pipeline}");
+    // Any size is a plain word on the command line, by the input and by the stage.
+    let file = out.join("pipeline.toml");
+    let check = |set: &str| toile(&["check", file.to_str().expect("path"), "--set", set]);
+    assert_eq!(check("size=36").code, 0, "{:?}", check("size=36"));
+    assert_eq!(check("import-dxf.size=36").code, 0, "{:?}", check("import-dxf.size=36"));
+    let wrong = check("size=37");
+    assert!(wrong.code == 2 && wrong.err.contains("36, 38, 40"), "{wrong:?}");
+    // A parameter without its stage is told with the line to type.
+    let wrong = check("edge_length=20 mm");
+    assert!(wrong.err.contains("write --set 'triangulate.edge_length=20 mm'"), "{wrong:?}");
+    // The folder stays one of its size.
+    let (again, _) = new("long-skirt", &out, &[]);
+    assert!(again.err.contains("size 40 was taken"), "{again:?}");
+    let sample = root().join("samples/patterns/long-skirt.aama.dxf");
+    let places = ["new", sample.to_str().expect("path"), "--out", out.to_str().expect("path")];
+    let other = toile(&[&places[..], &["--size", "36"]].concat());
+    assert!(other.code == 2 && other.err.contains("error[folder-of-another] this folder sews size 40"), "{other:?}");
+    let (_dir, out) = folder();
+    let missing = toile(&["new", "skirt", "--size", "99", "--out", out.to_str().expect("path")]);
+    assert!(missing.code == 2 && missing.err.contains("there are: 36, 38, 40"), "{missing:?}");
+    let said = toile(&["new", "skirt", "--size", "36", "--out", out.to_str().expect("path")]);
+    assert!(said.code == 0 && out.join("body-36.obj").exists(), "{said:?}");
+    assert!(text_of(&out, "pipeline.toml").contains("default = \"36\""));
+}
+
+#[test]
+fn a_body_of_another_size_of_the_file_leads_to_that_size() {
+    let (_dir, out) = folder();
+    let (said, _) = new("fitted-bodice", &out, &["--body", "56"]);
+    assert!(said.err.contains("warning[body-does-not-fit]") && !said.err.contains("child-"), "{said:?}");
+    let (_dir, out) = folder();
+    let (said, _) = new("fitted-bodice", &out, &["--size", "36", "--body", "men-50"]);
+    assert!(!said.err.contains("--body men") && !said.err.contains("--body child"), "{said:?}");
+}
+
+#[test]
+fn a_folder_of_another_pattern_is_refused() {
+    let (_dir, out) = folder();
+    new("long-skirt", &out, &[]);
+    let other = root().join("samples/patterns/fitted-bodice.aama.dxf");
+    let said = toile(&["new", other.to_str().expect("path"), "--out", out.to_str().expect("path")]);
+    assert!(said.code == 2 && said.err.contains("this folder is that of"), "{said:?}");
+    assert!(said.err.contains("choose another folder with --out") && !out.join("fitted-bodice.aama.dxf").exists());
+    // A new drawing under the old name is not proposed for the old one.
+    let (dir, renewed) = (tempfile::tempdir().expect("folder"), "long-skirt.aama.dxf");
+    let text = std::fs::read_to_string(root().join("samples/patterns").join(renewed)).expect("pattern");
+    std::fs::write(dir.path().join(renewed), text + "999\nnew\n").expect("pattern");
+    let renewed = dir.path().join(renewed);
+    let said = toile(&["new", renewed.to_str().expect("path"), "--out", out.to_str().expect("path")]);
+    assert!(said.code == 2 && said.err.contains("copy the new pattern over the one in the folder"), "{said:?}");
+}
+
+#[test]
+fn a_pattern_too_large_for_any_garment_is_refused() {
+    let (_dir, out) = folder();
+    let pattern = root().join("samples/patterns/long-skirt.aama.dxf");
+    let places = ["new", pattern.to_str().expect("path"), "--out", out.to_str().expect("path")];
+    for unit in ["cm", "inch", "m"] {
+        let said = toile(&[&places[..], &["--units", unit]].concat());
+        assert!(said.code == 3 && !out.exists(), "{unit}: {said:?}");
+    }
+    let said = toile(&[&places[..], &["--units", "cm"]].concat());
+    assert!(said.err.contains("error[pattern-huge]") && said.err.contains("`--units mm` makes it"), "{said:?}");
+}
+
+#[test]
+fn a_misspelt_name_is_guessed() {
+    let (_dir, out) = folder();
+    let out = out.to_str().expect("path");
+    let said = toile(&["new", "skirt", "--fabric", "cotton-poplin-blue", "--out", out]);
+    assert!(said.err.contains("did you mean `cotton-poplin`?"), "{said:?}");
+    let misspelt = root().join("samples/patterns/long-skrit.aama.dxf");
+    let said = toile(&["new", misspelt.to_str().expect("path"), "--out", out]);
+    assert!(said.code == 3 && said.err.contains("did you mean `") && said.err.contains("long-skirt.a"), "{said:?}");
+}
+
+#[test]
+fn a_layer_of_another_number_is_named() {
+    let (dir, out) = folder();
+    let text = std::fs::read_to_string(root().join("samples/patterns/long-skirt.aama.dxf")).expect("pattern");
+    let mut lines: Vec<String> = text.lines().map(str::to_owned).collect();
+    for pair in lines.chunks_mut(2).filter(|p| p[0].trim() == "8" && p[1].trim() == "1") {
+        pair[1] = "21".to_owned();
+    }
+    let pattern = dir.path().join("layer.dxf");
+    std::fs::write(&pattern, lines.join("\n") + "\n").expect("pattern");
+    let places = ["new", pattern.to_str().expect("path"), "--out", out.to_str().expect("path")];
+    assert_eq!(toile(&places).code, 3);
+    let said = toile(&[&places[..], &["--layer", "21=1"]].concat());
+    assert_eq!(said.code, 0, "{said:?}");
+    let pipeline = text_of(&out, "pipeline.toml");
+    assert!(pipeline.contains("with.layers = { \"21\" = \"1\" }"), "{pipeline}");
+    assert_eq!(toile(&["check", out.join("pipeline.toml").to_str().expect("path")]).code, 0);
+    // Asked again, the folder knows its layers.
+    assert_eq!(toile(&places).code, 0);
+    assert_eq!(toile(&[&places[..], &["--layer", "21=77"]].concat()).code, 2);
+}
+
+/// A garment whose seams stand open is not draped: its start is written, and the run says which seam it is.
+#[test]
+fn seams_that_stand_wide_open_end_the_run_before_the_drape() {
+    let (_dir, out) = folder();
+    new("long-skirt", &out, &[]);
+    let (file, result) = (out.join("pipeline.toml"), out.join("out"));
+    let places = ["run", file.to_str().expect("path"), "--out", result.to_str().expect("path"), "--quiet"];
+    let sets = ["--set", "triangulate.edge_length=30 mm", "--set", "drape.open_seams=0 mm"];
+    let said = toile(&[&places[..], &sets].concat());
+    assert_eq!(said.code, 1, "{said:?}");
+    let record: Value = serde_json::from_str(&text_of(&result, "run.json")).expect("JSON");
+    let all = record["findings"].as_array().expect("findings").clone();
+    let told = |code: &str| all.iter().find(|f| f["code"] == code).unwrap_or_else(|| panic!("{code}: {all:?}"));
+    assert!(told("not-draped")["hint"].as_str().is_some_and(|h| h.contains("with.open_seams")));
+    assert!(told("certificate-failed")["message"].as_str().is_some_and(|m| m.contains("the seam \"")), "{all:?}");
+    assert_eq!(record["certificate"]["settled"], false);
+    assert!(support::bench::list(&result).iter().any(|n| n.ends_with(".glb")));
+}

@@ -5,10 +5,10 @@ use crate::animation::Animation;
 use crate::body::Body;
 use crate::fabric::Fabric;
 use crate::flat::Flat;
-use crate::ids::PieceId;
+use crate::ids::{MeshVertex, PieceId};
 use crate::piece::Piece;
 use crate::provenance::Provenance;
-use crate::seam::Seam;
+use crate::seam::{Seam, Stitch};
 use crate::sewing::SewingPlan;
 use crate::texture::Textures;
 use schemars::JsonSchema;
@@ -318,7 +318,7 @@ impl UpAxis {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Pin {
     /// Which.
-    pub vertex: crate::ids::MeshVertex,
+    pub vertex: MeshVertex,
     /// Where, metres.
     #[schemars(with = "[f64; 3]")]
     pub at: Vec3,
@@ -330,7 +330,7 @@ pub struct ElasticBand {
     /// Name.
     pub name: String,
     /// Vertices along it, one for each point that is sewn.
-    pub vertices: Vec<crate::ids::MeshVertex>,
+    pub vertices: Vec<MeshVertex>,
     /// Length of the unstretched band from each vertex to the next, metres. A closed band has as many as vertices.
     pub rest: Vec<f64>,
     /// Tension per strain, N.
@@ -349,13 +349,23 @@ impl ElasticBand {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Load {
     /// Which.
-    pub vertex: crate::ids::MeshVertex,
+    pub vertex: MeshVertex,
     /// Force, N.
     #[schemars(with = "[f64; 3]")]
     pub force: Vec3,
 }
 
 impl Garment {
+    /// The seam with the widest stitch among those for which `is_meant` is true, and its gap: the vertices lie at
+    /// `positions`, piece by piece.
+    pub fn widest_gap(&self, positions: &[Vec<Vec3>], is_meant: impl Fn(&Seam) -> bool) -> Option<(&Seam, f64)> {
+        let at = |v: MeshVertex| positions.get(v.piece.index())?.get(v.vertex as usize).copied();
+        let gap = |s: &Stitch| Some((at(s.a)? - at(s.b)?).norm());
+        let widest = |seam: &Seam| seam.stitches.iter().filter_map(gap).fold(0.0, f64::max);
+        let seams = self.seams.iter().filter(|seam| is_meant(seam)).map(|seam| (seam, widest(seam)));
+        seams.max_by(|a, b| a.1.total_cmp(&b.1))
+    }
+
     /// Does the garment hold this aspect?
     #[must_use]
     pub fn has(&self, aspect: Aspect) -> bool {

@@ -3,6 +3,7 @@
 use super::words::Language;
 use crate::svg::canvas::fixed;
 use toile_garment::garment::Certificate;
+use toile_garment::seam::SeamKind;
 use toile_garment::{Diagnostic, Garment, Severity};
 
 /// The sentence and its kind.
@@ -92,11 +93,25 @@ fn reasons_of_motion(garment: &Garment, language: Language) -> Vec<String> {
 /// So many times its limit is as much as is told of a figure.
 const WILD: f64 = 1e4;
 
+/// The name of the seam that is open widest in the drape.
+fn widest_seam(garment: &Garment) -> String {
+    let positions = garment.drape.as_ref().map_or(&[][..], |shape| &shape.positions);
+    let widest = garment.widest_gap(positions, |s| s.kind == SeamKind::Seam);
+    widest.map_or_else(String::new, |(seam, _)| toile_garment::text::quoted(&seam.name))
+}
+
 /// The gates of the drape and of the motion that did not hold, in words.
 fn reasons(c: &Certificate, garment: &Garment, language: Language) -> Vec<String> {
+    let widest = widest_seam(garment);
     let [crossings, body] = [c.self_crossings, c.body_crossings].map(|n| n as f64);
     let gates: [Gate; 9] = [
-        (c.residual_rel, "residual_rel", "forces of {0} of a particle's weight are left, {1} are allowed", 1.0, 3),
+        (
+            c.residual_rel,
+            "residual_rel",
+            "forces of {0} times the weight of the cloth are left, {1} are allowed",
+            1.0,
+            3,
+        ),
         (
             c.strain_over_limit,
             "strain_over_limit",
@@ -106,7 +121,7 @@ fn reasons(c: &Certificate, garment: &Garment, language: Language) -> Vec<String
         ),
         (c.strain_max, "strain_max", "the largest strain is {0} %, {1} % are allowed", 100.0, 2),
         (c.slip_mm, "slip_mm", "the garment slid down by {0} mm, {1} mm are allowed", 1.0, 0),
-        (c.seam_gap_max_mm, "seam_gap_max_mm", "a seam is open by {0} mm, {1} mm are allowed", 1.0, 2),
+        (c.seam_gap_max_mm, "seam_gap_max_mm", "the seam {2} is open by {0} mm, {1} mm are allowed", 1.0, 2),
         (c.dart_gap_max_mm, "dart_gap_max_mm", "a dart is open by {0} mm, {1} mm are allowed", 1.0, 2),
         (crossings, "self_crossings", "the cloth crosses itself at {0} places", 1.0, 0),
         (body, "body_crossings", "cloth and body cross at {0} places", 1.0, 0),
@@ -118,7 +133,7 @@ fn reasons(c: &Certificate, garment: &Garment, language: Language) -> Vec<String
         let most = limit * WILD;
         let told =
             if most > 0.0 && *x > most { format!("> {}", fixed(most * times, 0)) } else { fixed(x * times, *decimals) };
-        Some(language.fill(words, &[told, fixed(limit * times, *decimals)]))
+        Some(language.fill(words, &[told, fixed(limit * times, *decimals), widest.clone()]))
     };
     let mut out: Vec<String> = gates.iter().filter_map(broken).collect();
     out.extend(reasons_of_motion(garment, language));
@@ -149,12 +164,43 @@ mod tests {
         let limits = [("residual_rel".to_owned(), 0.1)].into();
         let wild = Certificate { settled: true, residual_rel: 127_288_814.563, limits, ..Certificate::default() };
         let why = verdict(&Garment { certificate: Some(wild), ..Garment::default() }, &[], Language::English).why;
-        assert_eq!(why, "forces of > 1000 of a particle's weight are left, 0.100 are allowed.");
+        assert_eq!(why, "forces of > 1000 times the weight of the cloth are left, 0.100 are allowed.");
         let good = Garment { certificate: Some(Certificate { passed: true, ..c }), ..Garment::default() };
         assert_eq!(verdict(&good, &[], Language::English).passed, Some(true));
         let error = [Diagnostic::error(OUT_OF_RANGE, "no start was found")];
         assert_eq!(verdict(&Garment::default(), &error, Language::English).why, "no start was found");
         assert_eq!(verdict(&Garment::default(), &[], Language::English).passed, None);
+    }
+
+    #[test]
+    fn a_verdict_names_the_seam_that_is_open_widest() {
+        use toile_garment::garment::Shape;
+        use toile_garment::seam::{Seam, SeamSide, Stitch};
+        use toile_garment::{MeshVertex, PieceId, SeamId, Vec3};
+        let vertex = |vertex: u32| MeshVertex { piece: PieceId::from(0), vertex };
+        let seam = |id: usize, name: &str, [a, b]: [u32; 2]| Seam {
+            id: SeamId::from(id),
+            name: name.to_owned(),
+            kind: SeamKind::Seam,
+            a: SeamSide::default(),
+            b: SeamSide::default(),
+            ease: 0.0,
+            gather: None,
+            stitches: vec![Stitch { a: vertex(a), b: vertex(b) }],
+            source: None,
+        };
+        let at = |x: f64| Vec3::new(x, 0.0, 0.0);
+        let drape = Shape { positions: vec![vec![at(0.0), at(0.001), at(0.25)]], ..Shape::default() };
+        let limits = [("seam_gap_max_mm".to_owned(), 0.1)].into();
+        let c = Certificate { settled: true, seam_gap_max_mm: 249.0, limits, ..Certificate::default() };
+        let garment = Garment {
+            seams: vec![seam(0, "hem", [0, 1]), seam(1, "side seam", [1, 2])],
+            drape: Some(drape),
+            certificate: Some(c),
+            ..Garment::default()
+        };
+        let why = verdict(&garment, &[], Language::English).why;
+        assert_eq!(why, "the seam \"side seam\" is open by 249.00 mm, 0.10 mm are allowed.");
     }
 
     #[test]

@@ -4,8 +4,8 @@ use super::{DrapeParams, GatedFigure};
 use std::collections::BTreeMap;
 use toile_cloth::{Figures, Outcome};
 use toile_garment::garment::Certificate;
-use toile_garment::seam::SeamKind;
-use toile_garment::{Garment, MeshVertex, Vec3};
+use toile_garment::seam::{Seam, SeamKind};
+use toile_garment::{Garment, Vec3};
 
 /// Strain at the gate over the fabric's limit. The solver's limit is a steep wall: cloth comes to rest a little beyond it.
 /// Garments that fit end at 1.005 of it at most. A strapless dress on the hips, too tight there, ends at 1.07.
@@ -69,9 +69,8 @@ pub fn certificate(
 
 /// The widest stitch of the seams, or of the darts, mm.
 fn gap(garment: &Garment, rest: &[Vec<Vec3>], darts: bool) -> f64 {
-    let at = |v: MeshVertex| rest[v.piece.index()][v.vertex as usize];
-    let seams = garment.seams.iter().filter(|s| matches!(s.kind, SeamKind::Dart { .. }) == darts);
-    seams.flat_map(|s| &s.stitches).map(|s| (at(s.a) - at(s.b)).norm() * 1e3).fold(0.0, f64::max)
+    let is_meant = |s: &Seam| matches!(s.kind, SeamKind::Dart { .. }) == darts;
+    garment.widest_gap(rest, is_meant).map_or(0.0, |(_, gap)| gap * 1e3)
 }
 
 /// The largest strain any fabric of the garment is used at.

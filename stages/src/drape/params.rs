@@ -134,6 +134,9 @@ pub struct DrapeParams {
     #[serde(skip_serializing_if = "is_default")]
     #[schemars(range(max = 20))]
     pub repeats: u32,
+    /// A garment with a seam that stands open by more after sewing is not draped: it is shown as it was sewn (50 mm).
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub open_seams: Option<Length>,
     /// Gates of the certificate by figure; they replace the defaults.
     pub limits: BTreeMap<GatedFigure, f64>,
 }
@@ -158,6 +161,7 @@ impl Default for DrapeParams {
             self_gap: Length(1e-3),
             max_time: Duration(20.0),
             repeats: 0,
+            open_seams: None,
             limits: BTreeMap::new(),
         }
     }

@@ -72,8 +72,9 @@ codes! {
     /// A [[place]] names a side that is none of front, back, left, right. Exit code 2.
     PLACE_SIDE_UNKNOWN = "place-side-unknown";
 
-    /// A seam did not close: something is in the way, or the pieces do not reach. Place them nearer to where they are
-    /// sewn. The drape joins what it can; its certificate tells the gap of what stays open.
+    /// A seam did not close, though its threads pulled with their full force. Most such seams are wrong or turned round:
+    /// look at it in the sewing file first. Else something is in the way, or the pieces do not reach; place them nearer to
+    /// where they are sewn. The drape joins what it can; its certificate tells the gap of what stays open.
     SEAM_OPEN = "seam-open";
 
     /// The sides of a seam are farther apart than threads can draw them together. Place the pieces beside each other,

@@ -25,7 +25,7 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 use toile_cloth::{ExplicitSteps, Outcome, PieceMove, Pin, Settings, Stitches};
 use toile_garment::garment::Shape;
-use toile_garment::seam::Seam;
+use toile_garment::seam::{Seam, SeamKind};
 use toile_garment::units::{Duration, Length};
 use toile_garment::{Aspect, Diagnostic, Garment, MeshVertex, Piece, SeamId, Vec3};
 use toile_stage_api::{Cost, Forecast, Knob, Meaning, Stage, StageContext, StageError, StageInfo};
@@ -309,26 +309,40 @@ fn tell(garment: &Garment, outcome: &Outcome, distance: f64, cx: &mut StageConte
         return;
     }
     for open in open_seams(garment, outcome) {
-        let name = &garment.seams[open.seam.index()].name;
+        let seam = &garment.seams[open.seam.index()];
+        let name = &seam.name;
         let at = open.at * 1e3;
         cx.report.push(
             Diagnostic::warning(
                 codes::SEAM_OPEN,
                 format!(
-                    "seam `{name}` is still {:.1} mm open after sewing, {} stitches of it, widest at ({:.0}, {:.0}, {:.0}) mm{} \
-                     ({})",
+                    "seam `{name}` is still {:.1} mm open after sewing, {} stitches of it, widest at ({:.0}, {:.0}, {:.0}) mm{}",
                     open.gap * 1e3,
                     open.count,
                     at.x,
                     at.y,
                     at.z,
-                    on_body(garment, open.at),
-                    outcome.stop_reason.words()
+                    on_body(garment, open.at)
                 ),
             )
-            .hint("place the pieces nearer to where they are sewn; the drape joins what it can"),
+            .at(seam.source.clone())
+            .hint(remedy_of_open(garment, seam)),
         );
     }
+}
+
+/// The remedy for a seam that stays open although the threads pulled with their full force. Most of them are wrong, or
+/// turned round.
+fn remedy_of_open(garment: &Garment, seam: &Seam) -> String {
+    let spec = garment.plan.seams.iter().find(|s| s.name == seam.name);
+    let sure = spec.and_then(|s| s.proposed);
+    let sure = sure.map_or(String::new(), |p| format!(" It was proposed with proposed = {p:.2}."));
+    let place = seam.source.as_ref().map_or(String::new(), |s| format!(" at {s}"));
+    let what = if seam.kind == SeamKind::Seam { "seam right, and the right way round (reverse)" } else { "dart right" };
+    format!(
+        "is this {what}?{sure} Correct it in the sewing file{place}; if it is right, place its pieces nearer to where they \
+         are sewn"
+    )
 }
 
 /// Stitches of one seam that did not close.

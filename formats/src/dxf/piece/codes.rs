@@ -16,6 +16,11 @@ codes! {
     /// Curve points were left as straight chords, because the smooth curve would leave them too far or cross itself.
     CURVE_NOT_SMOOTHED = "curve-not-smoothed";
 
+    /// The sew line is open along one straight edge of the piece, and no fold line (layer 6) is there: this looks like half a
+    /// piece. It was taken as drawn. Draw the edge as a fold line, or map the layer that has it with `layers`; if the piece
+    /// is whole, close its sew line.
+    FOLD_MISSING = "fold-missing";
+
     /// The fold line does not lie on a straight edge of the half piece, so the piece was not unfolded. Put the fold on
     /// the edge, or draw the whole piece.
     FOLD_OFF_BOUNDARY = "fold-off-boundary";

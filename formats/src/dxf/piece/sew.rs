@@ -12,6 +12,10 @@ use toile_garment::{Diagnostic, Vec2};
 
 /// A closed line on layer 14 with a larger share of the area of the piece is meant for its sew line, however it runs.
 const SHARE_OF_NET: f64 = 0.3;
+/// A point this near to the cut line lies on it, mm: writers round to 0.1 mm at least.
+const ON_EDGE: f64 = 0.5;
+/// Stretches of an edge at whose ends it is looked at.
+const BETWEEN: u8 = 8;
 /// Most open lines of layer 8 that are joined to see whether they are the sew line.
 const RUNS: usize = 400;
 
@@ -67,8 +71,28 @@ impl DrawnPiece {
             );
             return Diagnostic::warning(codes::SEW_LINE_CROSSES_ITSELF, text).hint("correct the sew line there");
         }
+        if let Some([from, to]) = self.open_edge(path).filter(|_| is_large && self.axes.fold.is_none()) {
+            let text = format!(
+                "is `{label}` half a piece? Its sew line is open along the straight edge from {} to {} alone, and no fold \
+                 line is there; the piece was taken as drawn, and its cut line is sewn",
+                mm(from),
+                mm(to)
+            );
+            let hint = "draw the edge as a fold line on layer 6, or map the layer that has it: layers = { \"…\" = \"6\" }; \
+                        if the piece is whole, close its sew line there";
+            return Diagnostic::warning(codes::FOLD_MISSING, text).hint(hint);
+        }
         let text = format!("a line on layer 14 of `{label}` is not the whole sew line; kept as an internal line");
         Diagnostic::info(codes::STITCH_LINE, text)
+    }
+
+    /// The ends of an open line, where both lie on one straight edge of the cut line.
+    fn open_edge(&self, path: &Path) -> Option<[Vec2; 2]> {
+        let (points, cut) = (path.positions(), self.boundary.positions());
+        let (from, to) = (*points.first()?, *points.last()?);
+        let is_on = |p: Vec2| geom::distance(p, &cut, true) < ON_EDGE;
+        let between = (0..=BETWEEN).map(|k| from + (to - from) * (f64::from(k) / f64::from(BETWEEN)));
+        (!path.closed && (to - from).norm() > ON_EDGE && between.into_iter().all(is_on)).then_some([from, to])
     }
 
     /// Makes the line on layer 8 that is the cut line moved inwards the sew line: drawn whole, or in runs.

@@ -127,3 +127,31 @@ fn a_sew_line_that_is_a_bow_is_said() {
     let pattern = good(&file(|w| w.polyline("1", true, &RECTANGLE).polyline("14", true, &small)));
     assert_eq!(codes(&pattern.findings), ["stitch-line"]);
 }
+
+/// A half piece whose fold line is missing has a sew line that is open along the straight edge in its middle.
+#[test]
+fn a_sew_line_that_is_open_along_one_straight_edge_asks_for_the_fold() {
+    let open = [(0.0, 30.0), (290.0, 30.0), (290.0, 590.0), (0.0, 590.0)];
+    let drawn = |fold: bool, line: &[(f64, f64)]| {
+        good(&file(|w| {
+            let w = w.polyline("1", true, &RECTANGLE).polyline("14", false, line);
+            if fold { w.line("6", (0.0, 0.0), (0.0, 600.0)) } else { w }
+        }))
+    };
+    let pattern = drawn(false, &open);
+    let warnings = |pattern: &Pattern| -> Vec<String> {
+        let all = pattern.findings.iter().filter(|f| f.severity == Severity::Warning);
+        all.map(|f| f.code.to_string()).collect()
+    };
+    assert_eq!(warnings(&pattern), ["fold-missing"], "{:?}", pattern.findings);
+    assert!(pattern.findings[0].hint.as_ref().is_some_and(|h| h.contains("layer 6")));
+    // With its fold the piece is unfolded, and nothing is asked.
+    let folded = drawn(true, &open);
+    assert!(warnings(&folded).is_empty() && folded.pieces[0].sew.is_some(), "{:?}", folded.findings);
+    // A seam from edge to edge is a drawn line, and so is a small one at one edge.
+    for line in
+        [&[(0.0, 300.0), (150.0, 320.0), (300.0, 300.0)][..], &[(0.0, 30.0), (60.0, 30.0), (60.0, 90.0), (0.0, 90.0)]]
+    {
+        assert!(warnings(&drawn(false, line)).is_empty(), "{line:?}");
+    }
+}

@@ -98,7 +98,7 @@ fn leave_out(garment: &mut Garment, report: &mut Report, errors: &mut Vec<Diagno
     let left = names(garment);
     let out: Vec<String> = before.into_iter().filter(|name| !left.contains(name)).map(|n| format!("`{n}`")).collect();
     if !out.is_empty() {
-        let message = format!("{} pieces are left out of the garment: {}", out.len(), out.join(", "));
+        let message = format!("left out of the garment: {}", out.join(", "));
         let remedy = "to have one sewn, take it out of `leave_out` in the sewing file, and write its seams";
         report.push(Diagnostic::info(PIECES_LEFT_OUT, message).hint(remedy));
     }
