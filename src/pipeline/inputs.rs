@@ -2,7 +2,7 @@
 
 use super::codes;
 use super::document::Reader;
-use super::nearest::remedy;
+use super::nearest::{remedy, remedy_of_many};
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
@@ -205,7 +205,7 @@ pub(super) fn refuse_unknown_set(cx: &mut Reader<'_>, index: usize, set: &str, o
     let (key, value) = set.split_once('=').unwrap_or((set, ""));
     let span = cx.source.span_of_set(index);
     let hint = if owners.is_empty() {
-        remedy(key.trim(), known.iter().map(String::as_str))
+        remedy_of_many(key.trim(), known.iter().map(String::as_str))
     } else {
         let lines: Vec<String> = owners.iter().map(|owner| format!("--set '{owner}={value}'")).collect();
         format!("write {}", lines.join(" or "))

@@ -54,18 +54,20 @@ pub(super) fn sort<'t>(cx: &mut Reader<'_>, document: &Document<'t>, registry: &
             sorted.params.push(ParamSet { stage, path, raw, index });
         } else {
             let last = key.split('.').next_back().unwrap_or(key);
-            let named = |stages: Vec<&StageEntry<'_>>| -> Vec<String> {
-                stages.iter().map(|s| format!("{}.{last}", s.id)).collect()
-            };
-            let has = |s: &&StageEntry<'_>| {
-                registry.get(s.name.get_ref()).is_some_and(|stage| SchemaTree::of(stage).has(&[last]))
-            };
-            let owners = named(document.stages.iter().filter(has).collect());
-            let known = document.inputs.keys().cloned().chain(named(document.stages.iter().collect())).collect();
+            let parameters: Vec<String> = document.stages.iter().flat_map(|s| parameters(s, registry)).collect();
+            let is_own = |p: &&String| p.rsplit_once('.').is_some_and(|(_, name)| name == last);
+            let owners: Vec<String> = parameters.iter().filter(is_own).cloned().collect();
+            let known = document.inputs.keys().cloned().chain(parameters).collect();
             refuse_unknown_set(cx, index, set, &owners, known);
         }
     }
     sorted
+}
+
+/// All parameters of a stage, as `id.key`.
+fn parameters(entry: &StageEntry<'_>, registry: &Registry) -> Vec<String> {
+    let schema = registry.get(entry.name.get_ref()).map(SchemaTree::of);
+    schema.iter().flat_map(|s| s.keys().map(|key| format!("{}.{key}", entry.id)).collect::<Vec<_>>()).collect()
 }
 
 /// The longest id that the key begins with, and the keys after it.

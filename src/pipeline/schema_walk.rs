@@ -84,10 +84,9 @@ impl SchemaTree {
         holds("string") && (kind == "string" || !holds(kind))
     }
 
-    /// Has the stage a parameter of this path?
-    #[must_use]
-    pub fn has(&self, path: &[&str]) -> bool {
-        self.at(path).is_some()
+    /// The names of the parameters.
+    pub fn keys(&self) -> impl Iterator<Item = &str> {
+        self.root().get("properties").and_then(Value::as_object).into_iter().flat_map(Map::keys).map(String::as_str)
     }
 
     /// The schema of the parameter at a path.

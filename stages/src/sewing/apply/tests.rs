@@ -357,39 +357,6 @@ fn the_neck_of_two_pieces_needs_its_direction() {
     apply(&mut garment, plan, &mut Report::default()).expect("settled by the shoulder");
 }
 
-/// The side of a back goes on in its yoke. Walked from either end, the front's side meets both at the same heights, also
-/// where `reverse` is written.
-#[test]
-fn a_list_of_edges_is_walked_so_that_its_corners_adjoin() {
-    let yoke = seam("yoke", edge("back", "2"), edge("yoke", "0"));
-    for list in [["yoke", "back"], ["back", "yoke"]] {
-        for reverse in [None, Some(true)] {
-            let pieces = vec![
-                rectangle(0, "front", 100.0, 300.0),
-                rectangle(1, "back", 100.0, 200.0),
-                rectangle(2, "yoke", 100.0, 100.0),
-            ];
-            let mut garment = Garment { pieces, ..Garment::default() };
-            let b = list.iter().flat_map(|piece| edge(piece, "3")).collect();
-            let side = SeamSpec { reverse, ..seam("side", edge("front", "1"), b) };
-            let plan = SewingPlan { seams: vec![yoke.clone(), side], ..SewingPlan::default() };
-            apply(&mut garment, plan, &mut Report::default()).unwrap_or_else(|e| panic!("{list:?} {reverse:?}: {e:?}"));
-            let (garment, _) = run(&Triangulate, &Default::default(), garment).expect("mesh");
-            let (garment, _) = run(&Assemble, &Default::default(), garment).expect("seams");
-            let height = |v: toile_garment::MeshVertex| {
-                let piece = &garment.pieces[v.piece.index()];
-                let rest = piece.mesh.as_ref().expect("mesh").rest[v.vertex as usize];
-                rest.y + if piece.name == "yoke" { 0.2 } else { 0.0 }
-            };
-            let side = garment.seams.iter().find(|s| s.name == "side").expect("seam");
-            assert!(side.stitches.len() > 3);
-            for s in &side.stitches {
-                assert!((height(s.a) - height(s.b)).abs() < 1e-9, "{list:?} {reverse:?}");
-            }
-        }
-    }
-}
-
 /// A skirt front with a needle of 3 × 190 mm in its waist that the reader left undecided, cut or drawn as lines, and
 /// the band that is sewn to it.
 fn needle(marked: bool, seams: Vec<SeamSpec>, darts: Vec<DartSpec>) -> (Garment, Report) {

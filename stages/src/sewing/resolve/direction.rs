@@ -36,8 +36,8 @@ pub fn settle(
         (Some(x), None) => (x, x != against),
         (None, Some(y)) => (y != against, y),
         (None, None) => {
-            let way_a = one_reading(garment, shapes, spec, [&a, &b], against)?;
-            (way_a, way_a != against)
+            check_one_reading(garment, shapes, spec, &a, &b)?;
+            (true, !against)
         }
     };
     turn(&mut a, way_a);
@@ -104,28 +104,28 @@ fn contradiction(
     }
 }
 
-/// The sense in which side `a` is walked. With one edge on each side both senses are the same seam. A list of edges of
-/// several pieces is written for one sense only: the one in which each edge ends at a corner that is sewn to the start of
-/// the next.
-fn one_reading(
+/// A list of edges of several pieces can be walked forward or backward; with one edge a side both are the same seam.
+fn check_one_reading(
     garment: &Garment,
     shapes: &Shapes,
     spec: &SeamSpec,
-    [a, b]: [&[RawRun]; 2],
-    against: bool,
-) -> Result<bool, Diagnostic> {
+    a: &[RawRun],
+    b: &[RawRun],
+) -> Result<(), Diagnostic> {
     if a.len() == 1 && b.len() == 1 {
-        return Ok(true);
+        return Ok(());
     }
-    let corners = |forward: bool| {
+    // Many runs: the order within the list is written for one sense only. The corners must tell which.
+    let reversed = |forward: bool| {
+        // The other side is walked in the other sense.
         let side_a = a.windows(2).filter(|w| joined(garment, shapes, w, forward)).count();
-        let side_b = b.windows(2).filter(|w| joined(garment, shapes, w, forward != against)).count();
+        let side_b = b.windows(2).filter(|w| joined(garment, shapes, w, !forward)).count();
         side_a + side_b
     };
-    let (forward, backward) = (corners(true), corners(false));
+    let (forward, backward) = (reversed(true), reversed(false));
     // A ring of two pieces (an armhole) is joined at both ends in either sense: then the file must say it.
-    if forward != backward || spec.reverse.is_some() {
-        return Ok(forward >= backward);
+    if forward > backward || forward == backward && spec.reverse.is_some() {
+        return Ok(());
     }
     let why = "names edges of several pieces, and their corners fit in both senses".to_owned();
     Err(both_readings(garment, shapes, spec, a, b, why))
