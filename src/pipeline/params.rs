@@ -12,7 +12,8 @@ use toile_stage_api::{AnyStage, ReadyStage};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue, ValueDeserializer};
 
-/// Parses the parameters. `None` when there was a mistake; all that were found are in the report.
+/// Parses the parameters; all mistakes are in the report. Wrong ones are left out, so that what the others say is looked
+/// at, too. `None` when that is not possible: a parameter is missing, or one that is a file is wrong.
 pub(super) fn configure<'r>(
     cx: &mut Reader<'_>,
     stage: &'r dyn AnyStage,
@@ -21,11 +22,12 @@ pub(super) fn configure<'r>(
     span: &Range<usize>,
     owner: &str,
 ) -> Option<Box<dyn ReadyStage + 'r>> {
-    let unknown = schema.unknown_keys(&table);
-    for key in &unknown {
+    let mut lacks_file = false;
+    for key in &schema.unknown_keys(&table) {
         let message = format!("unknown key `{}` of `{owner}`", key.path.join("."));
         cx.push(UNKNOWN_KEY, &key.span, message, key.hint.clone());
         remove(&mut table, &key.path);
+        lacks_file |= schema.means_file(&key.path[0]);
     }
     let missing = report_missing(cx, schema, &table, span, owner);
     let mut removed: Vec<String> = Vec::new();
@@ -33,7 +35,7 @@ pub(super) fn configure<'r>(
     for _ in 0..=table.len() {
         let value = Spanned::new(span.clone(), DeValue::Table(table.clone()));
         match stage.configure(ValueDeserializer::from(value)) {
-            Ok(ready) => return (unknown.is_empty() && removed.is_empty()).then_some(ready),
+            Ok(ready) => return (!lacks_file).then_some(ready),
             Err(error) => {
                 let at = error.span().unwrap_or_else(|| span.clone());
                 if !is_echo(error.message(), &removed, &missing) && !cx.has_said(&at) {
@@ -41,6 +43,7 @@ pub(super) fn configure<'r>(
                 }
                 let Some(key) = key_around(&table, &at) else { break };
                 table.remove(key.as_str());
+                lacks_file |= schema.means_file(&key);
                 removed.push(key);
             }
         }

@@ -1,6 +1,6 @@
 //! Parameters seen through their schema: which keys exist, which of them hold text.
 
-use super::nearest::remedy;
+use super::nearest::{nearest, remedy};
 use schemars::generate::SchemaSettings;
 use serde_json::{Map, Value};
 use std::ops::Range;
@@ -160,6 +160,15 @@ impl SchemaTree {
         let marked = if schema.get("format").is_some() { schema } else { self.resolve(schema) };
         self.walk_files(marked, value, keys, found);
         keys.pop();
+    }
+
+    /// Is a parameter of this name, or the one that is likely meant by it, a file that is read?
+    #[must_use]
+    pub fn means_file(&self, key: &str) -> bool {
+        let Some(properties) = self.root().get("properties").and_then(Value::as_object) else { return false };
+        let is_input = |schema: &Value| schema.get("format").and_then(Value::as_str) == Some("input-file");
+        let known = properties.get(key).or_else(|| properties.get(nearest(key, properties.keys().map(String::as_str))?));
+        known.is_some_and(|s| is_input(s) || s.get("additionalProperties").is_some_and(is_input))
     }
 
     /// All keys of a table that the schema does not know.

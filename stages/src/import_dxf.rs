@@ -10,7 +10,6 @@ use toile_formats::dxf::darts::UndecidedDart;
 use toile_formats::dxf::layers::Layers;
 use toile_formats::dxf::{self, InsertRule, ReadOptions, Tolerances, Vendor};
 use toile_formats::rul;
-use toile_garment::sewing::SewingPlan;
 use toile_garment::units::{Angle, Length};
 use toile_garment::{Aspect, Code, Diagnostic, Garment, SourceRef};
 use toile_stage_api::{Cost, Forecast, Stage, StageContext, StageError, StageInfo};
@@ -159,18 +158,26 @@ impl Stage for ImportDxf {
         forecast: &mut Forecast,
         cx: &mut StageContext<'_>,
     ) -> Result<Option<Cost>, StageError> {
-        match pattern(params, Garment::default(), cx) {
-            // Later stages look at what the sewing file says of a sound pattern, whatever else is wrong with it.
-            Ok((mut garment, undecided)) => {
-                let sewn = sew(params, &mut garment, undecided, cx);
+        // The sewing file and later stages are looked at, whatever is wrong with the pattern.
+        let (read, wrong) = match pattern(params, Garment::default(), cx) {
+            Ok(read) => (Some(read), None),
+            Err(wrong) => (as_it_is(params, cx), Some(wrong)),
+        };
+        let sewn = match read {
+            Some((garment, undecided)) => {
                 forecast.garment = garment;
-                sewn.map(|()| Some(Cost::seconds(0.01)))
+                sew(params, &mut forecast.garment, undecided, cx)
             }
-            Err(error) => {
-                if let Some(Err(StageError::Parameter(wrong))) = plan(params, cx) {
-                    cx.report.findings.extend(wrong);
+            None => params.sewing.as_ref().map_or(Ok(()), |path| crate::sewing::file(path, cx).map(drop)),
+        };
+        forecast.in_doubt = wrong.is_some() || sewn.is_err();
+        match (wrong, sewn) {
+            (None, sewn) => sewn.map(|()| Some(Cost::seconds(0.01))),
+            (Some(wrong), sewn) => {
+                if let Err(StageError::Parameter(more)) = sewn {
+                    cx.report.findings.extend(more);
                 }
-                Err(error)
+                Err(wrong)
             }
         }
     }
@@ -185,6 +192,18 @@ impl Stage for ImportDxf {
         sew(params, &mut garment, undecided, cx)?;
         Ok(garment)
     }
+}
+
+/// All pieces of a pattern file in its sample size, without what is said of it beside its unit and its table. What is
+/// wrong with it was told.
+fn as_it_is(params: &ImportDxfParams, cx: &mut StageContext<'_>) -> Option<(Garment, Vec<UndecidedDart>)> {
+    let kept = if options(params).is_ok() { params.clone() } else { ImportDxfParams::default() };
+    let (file, units) = (params.file.clone(), params.units);
+    let plain = ImportDxfParams { file, units, rules: None, size: None, pieces: Vec::new(), ..kept };
+    let before = cx.report.findings.len();
+    let read = pattern(&plain, Garment::default(), cx).ok();
+    cx.report.findings.truncate(before);
+    read
 }
 
 /// The pieces as they are drawn, and the wedges that the drawing leaves undecided.
@@ -241,9 +260,30 @@ pub fn params_of(file: &Path, garment: &Garment) -> ImportDxfParams {
     all.find(|p| p.file == file).unwrap_or_else(other)
 }
 
-/// The sewing file, where there is one.
-fn plan(params: &ImportDxfParams, cx: &mut StageContext<'_>) -> Option<Result<SewingPlan, StageError>> {
-    params.sewing.as_ref().map(|path| crate::sewing::file(path, cx))
+/// The sound tables of the sewing file are looked at beside the wrong ones.
+fn sew_sound_tables(
+    path: &Path,
+    garment: &mut Garment,
+    undecided: Vec<UndecidedDart>,
+    cx: &mut StageContext<'_>,
+) -> Result<(), StageError> {
+    let (plan, mut errors) = crate::sewing::sound_tables(path, cx)?;
+    let sewn = match plan {
+        Some(plan) => crate::sewing::apply_deciding(garment, plan, undecided, cx.report),
+        None => {
+            // Without their names nothing can be said of the pieces.
+            garment.pieces.clear();
+            Ok(())
+        }
+    };
+    match sewn {
+        sewn if errors.is_empty() => sewn,
+        Err(StageError::Parameter(more)) => {
+            errors.extend(more);
+            Err(StageError::Parameter(errors))
+        }
+        _ => Err(StageError::Parameter(errors)),
+    }
 }
 
 /// Adds what the sewing file says. Without it the drawing has the last word.
@@ -253,13 +293,8 @@ fn sew(
     undecided: Vec<UndecidedDart>,
     cx: &mut StageContext<'_>,
 ) -> Result<(), StageError> {
-    match plan(params, cx) {
-        Some(Ok(plan)) => crate::sewing::apply_deciding(garment, plan, undecided, cx.report),
-        Some(Err(error)) => {
-            // Without their seams nothing can be said of the pieces.
-            garment.pieces.clear();
-            Err(error)
-        }
+    match &params.sewing {
+        Some(path) => sew_sound_tables(path, garment, undecided, cx),
         None => {
             cx.report.findings.extend(undecided.into_iter().map(|u| u.finding));
             Ok(())

@@ -64,14 +64,28 @@ use walk::{Table, Walk};
 /// # Errors
 /// All mistakes at once, each with line and column.
 pub fn read(text: &str, file: &str) -> Result<SewingPlan, Vec<Diagnostic>> {
+    match read_sound_tables(text, file) {
+        (Some(plan), errors) if errors.is_empty() => Ok(plan),
+        (_, errors) => Err(errors),
+    }
+}
+
+/// The tables of a sewing file that are sound, and all mistakes of the others. There is no plan where a table is wrong
+/// by which others name their pieces and edges.
+#[must_use]
+pub fn read_sound_tables(text: &str, file: &str) -> (Option<SewingPlan>, Vec<Diagnostic>) {
     let lines = Lines::new(text, file);
     let (document, syntax) = DeTable::parse_recoverable(text);
     if !syntax.is_empty() {
-        return Err(syntax.iter().map(|e| syntax_error(e, &lines)).collect());
+        return (None, syntax.iter().map(|e| syntax_error(e, &lines)).collect());
     }
     let mut walk = Walk::new(&lines);
-    let plan = plan(document.get_ref(), &mut walk);
-    if walk.errors.is_empty() { Ok(plan) } else { Err(walk.errors) }
+    let mut top = Table::new(document.get_ref(), 0..0, &keys::TOP);
+    let mut plan = named(&mut top, &mut walk);
+    let is_named = walk.errors.is_empty();
+    sewn(&mut top, &mut plan, &mut walk);
+    top.finish(&mut walk);
+    (is_named.then_some(plan), walk.errors)
 }
 
 fn syntax_error(error: &toml::de::Error, lines: &Lines<'_>) -> Diagnostic {
@@ -81,45 +95,48 @@ fn syntax_error(error: &toml::de::Error, lines: &Lines<'_>) -> Diagnostic {
         .hint("strings stand in quotes, tables are written [[seam]]")
 }
 
-fn plan(document: &DeTable<'_>, walk: &mut Walk<'_>) -> SewingPlan {
+/// The tables that change and name pieces and edges.
+fn named(top: &mut Table<'_>, walk: &mut Walk<'_>) -> SewingPlan {
     let mut plan = SewingPlan::default();
-    let mut top = Table::new(document, 0..0, &keys::TOP);
-    for (n, (table, span)) in tables(&mut top, "seam", walk).into_iter().enumerate() {
-        plan.seams.extend(seam::seam(table, span, n, walk));
-    }
-    for (table, span) in tables(&mut top, "dart", walk) {
+    for (table, span) in tables(top, "dart", walk) {
         plan.darts.extend(dart::dart(table, span, walk));
     }
-    for (table, span) in tables(&mut top, "place", walk) {
-        plan.places.extend(place::place(table, span, walk));
-    }
-    for (table, span) in tables(&mut top, "layer", walk) {
-        plan.layers.extend(place::layer(table, span, walk));
-    }
-    for (table, span) in tables(&mut top, "attach", walk) {
-        plan.attachments.extend(place::attach(table, span, walk));
-    }
-    for (table, span) in tables(&mut top, "copy", walk) {
+    for (table, span) in tables(top, "copy", walk) {
         plan.copies.extend(place::copy(table, span, walk));
     }
-    for (table, span) in tables(&mut top, "edge", walk) {
+    for (table, span) in tables(top, "edge", walk) {
         plan.edge_names.extend(run::edge_name(table, span, walk));
     }
-    for (n, (table, span)) in tables(&mut top, "elastic", walk).into_iter().enumerate() {
-        plan.elastics.extend(construction::elastic(table, span, n, walk));
-    }
-    for (n, (table, span)) in tables(&mut top, "fold", walk).into_iter().enumerate() {
+    for (n, (table, span)) in tables(top, "fold", walk).into_iter().enumerate() {
         plan.folds.extend(construction::fold(table, span, n, walk));
-    }
-    for (table, span) in tables(&mut top, "interlining", walk) {
-        plan.interlinings.extend(construction::interlining(table, span, walk));
     }
     if let Some(value) = top.take("leave_out") {
         plan.leave_out = walk.texts(value, "leave_out").unwrap_or_default();
         plan.leave_out_source = Some(walk.source(value.span().start, Some("leave_out")));
     }
-    top.finish(walk);
     plan
+}
+
+/// The tables that speak of pieces and edges by their names.
+fn sewn(top: &mut Table<'_>, plan: &mut SewingPlan, walk: &mut Walk<'_>) {
+    for (n, (table, span)) in tables(top, "seam", walk).into_iter().enumerate() {
+        plan.seams.extend(seam::seam(table, span, n, walk));
+    }
+    for (table, span) in tables(top, "place", walk) {
+        plan.places.extend(place::place(table, span, walk));
+    }
+    for (table, span) in tables(top, "layer", walk) {
+        plan.layers.extend(place::layer(table, span, walk));
+    }
+    for (table, span) in tables(top, "attach", walk) {
+        plan.attachments.extend(place::attach(table, span, walk));
+    }
+    for (n, (table, span)) in tables(top, "elastic", walk).into_iter().enumerate() {
+        plan.elastics.extend(construction::elastic(table, span, n, walk));
+    }
+    for (table, span) in tables(top, "interlining", walk) {
+        plan.interlinings.extend(construction::interlining(table, span, walk));
+    }
 }
 
 /// The tables of a `[[name]]` list.

@@ -47,6 +47,9 @@ impl Cost {
 pub struct Forecast {
     /// The garment as the files describe it: pieces, fabrics, body. It never holds a result of work.
     pub garment: Garment,
+    /// Are the pieces or their plan not those that were asked for, because something in the files is wrong? What is
+    /// asked for is looked at all the same, so that all mistakes are told at once; what follows from the whole is not.
+    pub in_doubt: bool,
     /// Advice on the work to come, a sentence each: `plan` tells it.
     pub advice: Vec<String>,
     /// Size of the mesh, as soon as a stage can tell it.

@@ -11,11 +11,25 @@ use toile_stage_api::{StageContext, StageError};
 /// # Errors
 /// It is not there, no text, or wrong.
 pub fn file(path: &Path, cx: &mut StageContext<'_>) -> Result<SewingPlan, StageError> {
+    match sound_tables(path, cx)? {
+        (Some(plan), errors) if errors.is_empty() => Ok(plan),
+        (_, errors) => Err(StageError::Parameter(errors)),
+    }
+}
+
+/// Those of its tables that are sound, and the mistakes of the others.
+///
+/// # Errors
+/// It is not there, or no text.
+pub fn sound_tables(
+    path: &Path,
+    cx: &mut StageContext<'_>,
+) -> Result<(Option<SewingPlan>, Vec<Diagnostic>), StageError> {
     let name = path.to_string_lossy().into_owned();
     let bytes = cx.files.read(path)?;
     let text = String::from_utf8(bytes).map_err(|_| {
         let text = format!("the sewing file `{name}` is not UTF-8 text");
         StageError::parameter(Diagnostic::error(codes::SEWING_FILE, text).at(SourceRef::file(name.clone())))
     })?;
-    toile_formats::sewing::read(&text, &name).map_err(StageError::Parameter)
+    Ok(toile_formats::sewing::read_sound_tables(&text, &name))
 }

@@ -74,15 +74,24 @@ pub fn piece(garment: &Garment, name: &str, at: Option<&SourceRef>) -> Result<Pi
     }
 }
 
+/// The name that is likely meant by another.
+fn near<'k>(word: &str, known: &[&'k str]) -> Option<&'k str> {
+    let lower = word.to_lowercase();
+    let distance = |k: &&'k str| (strsim::damerau_levenshtein(&lower, &k.to_lowercase()), *k);
+    let (distance, name) = known.iter().map(distance).min()?;
+    (distance <= 1 + word.chars().count() / 3).then_some(name)
+}
+
+/// The piece that is likely meant by a name.
+pub fn near_piece<'g>(garment: &'g Garment, name: &str) -> Option<&'g Piece> {
+    let names: Vec<_> = garment.pieces.iter().map(|p| p.name.as_str()).collect();
+    garment.piece_named(near(name, &names)?).map(|id| &garment.pieces[id.index()])
+}
+
 /// "did you mean …", or the list of what there is.
 pub fn nearest(word: &str, known: &[&str]) -> String {
-    let lower = word.to_lowercase();
-    let best = known
-        .iter()
-        .map(|k| (strsim::damerau_levenshtein(&lower, &k.to_lowercase()), k))
-        .min_by(|a, b| a.0.cmp(&b.0).then_with(|| a.1.cmp(b.1)));
-    match best {
-        Some((d, k)) if d <= 1 + word.chars().count() / 3 => format!("did you mean `{k}`?"),
+    match near(word, known) {
+        Some(k) => format!("did you mean `{k}`?"),
         _ if known.is_empty() => "there is none".to_owned(),
         _ => format!("there are: {}", known.iter().take(40).copied().collect::<Vec<_>>().join(", ")),
     }

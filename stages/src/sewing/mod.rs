@@ -17,4 +17,4 @@ pub mod shapes;
 pub mod turned;
 
 pub use apply::{apply, apply_deciding, copies, darts, folds};
-pub use file::file;
+pub use file::{file, sound_tables};

@@ -127,7 +127,11 @@ impl Stage for Stitch {
         let garment = &forecast.garment;
         // On a body that could not be read nothing has a place.
         let has_body = params.body.is_none() || garment.body.is_some();
-        let wrong = if has_body { plan_faults(garment, params.clearance.0) } else { Vec::new() };
+        let wrong = match (has_body, forecast.in_doubt) {
+            (false, _) => Vec::new(),
+            (true, true) => attach::faults(garment),
+            (true, false) => plan_faults(garment, params.clearance.0),
+        };
         match (read, wrong.is_empty()) {
             (Ok(()), true) => Ok(forecast::cost(forecast)),
             (Ok(()), false) => Err(StageError::Parameter(wrong)),

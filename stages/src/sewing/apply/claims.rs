@@ -7,20 +7,16 @@ use crate::sewing::shapes::{Shapes, mm};
 use std::collections::BTreeSet;
 use toile_garment::{Diagnostic, Garment, PieceId, Report};
 
-/// Removes the darts that seams take, and the seams that only repeat a dart. Tells whether a dart was removed.
-///
-/// # Errors
-/// When a seam names what is not there.
-pub fn release(garment: &mut Garment, shapes: &Shapes, report: &mut Report) -> Result<bool, Vec<Diagnostic>> {
-    let mut errors = Vec::new();
+/// Removes the darts that seams take, and the seams that only repeat a dart. Tells whether a dart was removed. Seams that
+/// name what is not there take none.
+pub fn release(garment: &mut Garment, shapes: &Shapes, report: &mut Report) -> bool {
     let mut taken: BTreeSet<(PieceId, usize)> = BTreeSet::new();
     let mut repeats: BTreeSet<usize> = BTreeSet::new();
     for (k, seam) in garment.plan.seams.iter().enumerate() {
-        let mut find = |runs: &[toile_garment::sewing::RunSpec]| -> Vec<RawRun> {
-            let found = runs.iter().map(|r| lookup::run(garment, shapes, r, seam.source.as_ref()));
-            found.filter_map(|r| r.map_err(|e| errors.push(e)).ok()).collect()
+        let find = |runs: &[toile_garment::sewing::RunSpec]| -> Result<Vec<RawRun>, Diagnostic> {
+            runs.iter().map(|r| lookup::run(garment, shapes, r, seam.source.as_ref())).collect()
         };
-        let (a, b) = (find(&seam.a), find(&seam.b));
+        let (Ok(a), Ok(b)) = (find(&seam.a), find(&seam.b)) else { continue };
         let (claims_a, claims_b) = (claims(shapes, &a), claims(shapes, &b));
         // Both legs of one dart sewn to each other: that is the dart itself.
         if a.len() == 1 && b.len() == 1 && claims_a.len() == 1 && claims_a == claims_b {
@@ -29,9 +25,6 @@ pub fn release(garment: &mut Garment, shapes: &Shapes, report: &mut Report) -> R
             taken.extend(claims_a);
             taken.extend(claims_b);
         }
-    }
-    if !errors.is_empty() {
-        return Err(errors);
     }
     for k in repeats.iter().rev() {
         let seam = garment.plan.seams.remove(*k);
@@ -47,7 +40,7 @@ pub fn release(garment: &mut Garment, shapes: &Shapes, report: &mut Report) -> R
             format!("piece `{}`: wedge `{}`{at} has its legs in a declared seam and is no dart", p.name, dart.name);
         report.push(Diagnostic::info(codes::WEDGE_IS_NO_DART, message).at(dart.source));
     }
-    Ok(released)
+    released
 }
 
 /// Darts a leg of which a side takes: a run ends inside the intake, or is the intake.

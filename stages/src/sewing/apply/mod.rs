@@ -4,6 +4,7 @@ mod claims;
 mod contradictions;
 pub mod copies;
 pub mod darts;
+mod doubtful;
 pub mod folds;
 mod names;
 mod undecided;
@@ -52,20 +53,24 @@ pub fn apply_deciding(
     names::edges(garment, is_copy, &mut errors);
     darts::declare(garment, is_copy, &[], report, &mut errors);
     folds::declare(garment, is_copy, &mut errors);
+    doubtful::set_aside(garment, &errors);
     names::canonical(garment, &mut errors);
     errors.extend(contradictions::check(&garment.plan));
-    if !errors.is_empty() {
-        // Mistakes of seams and places would follow from these.
-        garment.pieces.clear();
-        garment.plan.seams.clear();
-        return Err(StageError::Parameter(errors));
+    for error in wrong_seams(garment, report) {
+        if !errors.contains(&error) {
+            errors.push(error);
+        }
     }
+    if errors.is_empty() { Ok(()) } else { Err(StageError::Parameter(errors)) }
+}
+
+/// The mistakes of what is sewn. A seam along a dart decides whether there is one.
+fn wrong_seams(garment: &mut Garment, report: &mut Report) -> Vec<Diagnostic> {
     // Bad outlines are for the stage that needs them, with all their places.
-    let Ok(rings) = shapes(garment) else { return Ok(()) };
-    let released = claims::release(garment, &rings, report).map_err(StageError::Parameter)?;
+    let Ok(rings) = shapes(garment) else { return Vec::new() };
     // A wedge that is no dart is part of the outline again.
-    let rings = if released { shapes(garment) } else { Ok(rings) };
-    rings.map_or(Ok(()), |rings| check_seams(garment, &rings))
+    let rings = if claims::release(garment, &rings, report) { shapes(garment) } else { Ok(rings) };
+    rings.map(|rings| check_seams(garment, &rings)).unwrap_or_default()
 }
 
 /// The note on a seam that nobody has confirmed yet.
@@ -77,7 +82,7 @@ fn proposed(seam: &SeamSpec) -> Option<Diagnostic> {
 }
 
 /// Checks that all seams, attachments, elastic bands and interlinings are where they say.
-fn check_seams(garment: &Garment, rings: &Shapes) -> Result<(), StageError> {
+fn check_seams(garment: &Garment, rings: &Shapes) -> Vec<Diagnostic> {
     let mut errors = placed(find(garment, rings)).err().unwrap_or_default();
     for attach in &garment.plan.attachments {
         let run = toile_garment::sewing::RunSpec::Edge { piece: attach.piece.clone(), edge: attach.edge.clone() };
@@ -88,7 +93,7 @@ fn check_seams(garment: &Garment, rings: &Shapes) -> Result<(), StageError> {
         errors.extend(found.filter_map(Result::err));
     }
     errors.extend(garment.plan.elastics.iter().filter_map(|e| elastic_side(garment, rings, e).err()));
-    if errors.is_empty() { Ok(()) } else { Err(StageError::Parameter(errors)) }
+    errors
 }
 
 fn leave_out(garment: &mut Garment, report: &mut Report, errors: &mut Vec<Diagnostic>) {
