@@ -4,6 +4,10 @@
 //! convex vertex what joins two strips. So darts, reflex corners and narrow places come out right without special
 //! cases; the union is that of `i_overlay`, on a grid of about a millionth of a millimetre.
 
+mod evened;
+
+pub use evened::even_sizes;
+
 use crate::codes::{EDGE_UNKNOWN, OUT_OF_RANGE};
 use crate::dxf::geom::cross;
 use i_overlay::core::fill_rule::FillRule;

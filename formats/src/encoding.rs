@@ -83,8 +83,9 @@ fn dos_850(byte: u8) -> char {
 }
 
 /// Chooses the code page. AC1021 and later are UTF-8 where the bytes are valid, and so are older files with valid
-/// non-ASCII bytes. Else the declared code page is taken. Without one, bytes that read as Japanese or Chinese are
-/// Shift-JIS or GBK, and all others Windows-1252.
+/// non-ASCII bytes. Else the declared code page is taken, unless it is Windows-1252 and the bytes are no words in it: many
+/// programs declare it whatever they write. Without a page, bytes that read as Japanese or Chinese are Shift-JIS or GBK,
+/// and all others Windows-1252.
 #[must_use]
 pub fn choose(bytes: &[u8], release: Option<&str>, code_page: Option<&str>) -> TextEncoding {
     let sure = |page| TextEncoding { page, guessed: false };
@@ -98,15 +99,16 @@ pub fn choose(bytes: &[u8], release: Option<&str>, code_page: Option<&str>) -> T
             return sure(utf_8);
         }
         // A few Chinese words happen to be valid UTF-8; as such they would be letters of no living language.
-        if code_page.is_none() && looks_like_gbk(bytes) && text.chars().any(|c| ('\u{180}'..'\u{370}').contains(&c)) {
+        let says_nothing = named.is_none_or(|page| page == Page::Web(WINDOWS_1252));
+        if says_nothing && looks_like_gbk(bytes) && text.chars().any(|c| ('\u{180}'..'\u{370}').contains(&c)) {
             return TextEncoding { page: Page::Web(GBK), guessed: true };
         }
         if named != Some(Page::Web(GBK)) || !looks_like_gbk(bytes) {
-            return sure(utf_8);
+            return TextEncoding { page: utf_8, guessed: named.is_some_and(|page| page != utf_8) };
         }
     }
     match named.filter(|page| *page != utf_8) {
-        Some(page) if page != Page::Web(WINDOWS_1252) || !looks_like_gbk(bytes) => return sure(page),
+        Some(page) if page != Page::Web(WINDOWS_1252) || reads_as_western(bytes) => return sure(page),
         _ => {}
     }
     let encoding = if looks_like_shift_jis(bytes) {
@@ -116,7 +118,7 @@ pub fn choose(bytes: &[u8], release: Option<&str>, code_page: Option<&str>) -> T
     } else {
         WINDOWS_1252
     };
-    TextEncoding { page: Page::Web(encoding), guessed: true }
+    TextEncoding { page: Page::Web(encoding), guessed: named != Some(Page::Web(encoding)) }
 }
 
 /// Is the text of this release UTF-8?
@@ -154,9 +156,23 @@ fn by_code_page(name: &str) -> Option<Page> {
     encoding.map(Page::Web)
 }
 
-/// Valid GBK throughout, and most double bytes from the common Chinese zone: Western accents hardly ever pair up so.
+/// Are these words in Windows-1252? There, letters with accents stand alone or in twos, as in `Größe`, and signs stand
+/// alone. Chinese and Japanese words are long rows of both.
+fn reads_as_western(bytes: &[u8]) -> bool {
+    let is_letter =
+        |b: &u8| matches!(b, 0xC0..=0xD6 | 0xD8..=0xF6 | 0xF8..=0xFF | 0x8A | 0x8C | 0x8E | 0x9A | 0x9C | 0x9E | 0x9F);
+    let is_none = |b: &u8| matches!(b, 0x81 | 0x8D | 0x8F | 0x90 | 0x9D);
+    let mut rows = bytes.split(u8::is_ascii).filter(|row| !row.is_empty());
+    rows.all(|row| row.len() == 1 && !is_none(&row[0]) || row.len() <= WESTERN_ROW && row.iter().all(is_letter))
+}
+
+/// Most letters with accents in a row of a Western word.
+const WESTERN_ROW: usize = 3;
+
+/// Valid GBK throughout, and most double bytes from the common Chinese zone, one of them at least from that of usual
+/// words: Western accents hardly ever pair up so.
 fn looks_like_gbk(bytes: &[u8]) -> bool {
-    let (mut pairs, mut common, mut i) = (0_u64, 0_u64, 0);
+    let (mut pairs, mut common, mut usual, mut i) = (0_u64, 0_u64, false, 0);
     while i < bytes.len() {
         if bytes[i] < 0x80 {
             i += 1;
@@ -168,9 +184,10 @@ fn looks_like_gbk(bytes: &[u8]) -> bool {
         }
         pairs += 1;
         common += u64::from(bytes[i] >= 0xA1 && *second >= 0xA1);
+        usual |= bytes[i] <= 0xD7;
         i += 2;
     }
-    pairs > 0 && common * 10 >= pairs * 8
+    usual && common * 10 >= pairs * 8
 }
 
 /// Valid Shift-JIS throughout with kana in it: most double bytes begin with 0x82 or 0x83 there, and hardly any does
@@ -301,6 +318,24 @@ mod tests {
         assert_eq!(choose(west, None, None).decode(west), "Découpé 2");
         assert_eq!(choose(west, Some("AC1021"), Some("ANSI_1252")).decode(west), "Découpé 2");
         assert_eq!(choose(b"\xcf\xf0", None, Some("ANSI_1251")).decode(b"\xcf\xf0"), "Пр");
+    }
+
+    #[test]
+    fn a_declared_page_wins_unless_its_words_are_none() {
+        // Größe, GRÖSSE-ß and 25° are words in Windows-1252, whatever they would be in GBK.
+        for west in [b"Gr\xf6\xdfe".as_slice(), b"GR\xd6\xdfE", b"25\xb0", b"Gr\xf6\xdfe \xc4\xd6"] {
+            let read = choose(west, Some("AC1009"), Some("ANSI_1252"));
+            assert_eq!((read.name().as_str(), read.guessed), ("windows-1252", false), "{west:?}");
+        }
+        assert_eq!(choose(b"Gr\xf6\xdfe", None, None).decode(b"Gr\xf6\xdfe"), "Größe");
+        // Chinese and Japanese words in a file that declares Windows-1252, and a page that is not UTF-8.
+        let (gbk, sjis) = (b"\xc7\xb0\xc6\xac".as_slice(), b"\x83t\x83\x8d\x83\x93\x83g \x91O\x90g\x8d\xa0".as_slice());
+        for (bytes, page, text) in [(gbk, "gbk", "前片"), (sjis, "shift_jis", "フロント 前身頃")] {
+            let read = choose(bytes, Some("AC1009"), Some("ANSI_1252"));
+            assert_eq!((read.name().as_str(), read.guessed, read.decode(bytes).as_str()), (page, true, text));
+        }
+        let utf_8 = choose("Größe".as_bytes(), Some("AC1009"), Some("ANSI_1252"));
+        assert_eq!((utf_8.name().as_str(), utf_8.guessed), ("utf-8", true));
     }
 
     #[test]

@@ -63,6 +63,15 @@ pub(super) fn check_folder(
     Err(Diagnostic::error(PATH_REFUSED, message).hint("choose another folder with --out"))
 }
 
+/// Refuses the folder of an earlier result, which is there where its file is.
+pub(super) fn is_new(out: &Path, file: &str, what: &str) -> Result<(), Diagnostic> {
+    if !out.join(file).exists() {
+        return Ok(());
+    }
+    let message = format!("`{}` holds an earlier {what}", clean(out));
+    Err(Diagnostic::error(PATH_REFUSED, message).hint("replace it with --force, or choose another folder with --out"))
+}
+
 /// Writes files of these names into a folder, which is made where it is missing.
 ///
 /// # Errors

@@ -1,16 +1,16 @@
 //! `toile compare`: one garment by the paper's method, by its neighbours and by the program's own.
 
 use super::args::CompareArgs;
-use super::bench::{Chain, check_folder, tell, write_files};
+use super::bench::{Chain, check_folder, is_new, tell, write_files};
 use super::console::Console;
-use crate::codes::{PATH_REFUSED, UNKNOWN_VALUE};
+use crate::codes::UNKNOWN_VALUE;
 use crate::compare::rows::VERSION;
 use crate::compare::{Comparison, Listener, METHODS, Method, Shown, compare, page, table};
-use crate::engine::{Exit, Stop, clean};
+use crate::engine::{Exit, Stop};
 use crate::halt::Halt;
 use crate::progress::Voice;
 use crate::study::Bench;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::Arc;
 use toile_garment::Diagnostic;
 use toile_stage_api::Registry;
@@ -37,7 +37,7 @@ fn work(
     let out = args.out.clone().unwrap_or_else(|| PathBuf::from("out").join(format!("{}-compare", chain.file_name)));
     check_folder(&out, (FILES[0], "toile_compare", "pipeline"), &chain.name).map_err(Halt::usage)?;
     if !args.force {
-        is_new(&out).map_err(Halt::usage)?;
+        is_new(&out, FILES[0], "comparison").map_err(Halt::usage)?;
     }
     // Times are to be those of this machine, and pictures need the body, which a kept garment has not: all is run anew.
     // A method that fails its certificate is a result here, and the table tells it.
@@ -67,15 +67,6 @@ fn work(
     compare(&bench, &methods, registry, Listener { say: &mut say, keep: &mut keep })?;
     tell(&said, &out, &FILES, console);
     Ok(Exit::Good)
-}
-
-/// Refuses the folder of an earlier comparison.
-fn is_new(out: &Path) -> Result<(), Diagnostic> {
-    if !out.join(FILES[0]).exists() {
-        return Ok(());
-    }
-    let message = format!("`{}` holds an earlier comparison", clean(out));
-    Err(Diagnostic::error(PATH_REFUSED, message).hint("replace it with --force, or choose another folder with --out"))
 }
 
 /// The methods of these names, in the order of the table; without any name those that run by default.

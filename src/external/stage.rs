@@ -11,13 +11,15 @@ use serde_json::Value;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use toile_garment::bundle::{FILE_NAME, from_text, to_text};
-use toile_garment::{Aspect, Code, Diagnostic, Garment, Report};
+use toile_garment::{Aspect, Code, Diagnostic, Garment, Report, SourceRef};
 use toile_stage_api::{AnyStage, Cost, Forecast, Knob, MeshSize, ReadyStage, StageContext, StageError, StageInfo};
 
 /// Most stages of one program.
 const MAX_STAGES: usize = 100;
 /// Most findings that are taken from one stage.
 const MAX_FINDINGS: usize = 1000;
+/// Most letters of one text of a plugin.
+const MAX_TEXT: usize = 2000;
 
 /// A stage of another program.
 pub struct ExternalStage {
@@ -200,9 +202,10 @@ impl Ready<'_> {
         let ended =
             self.stage.program.ask(verb, request, desk.folder.path(), &mut |line| match serde_json::from_slice(line) {
                 Ok(Line::Progress { done, total, words }) => {
-                    cx.progress.update(done, total, &crate::render::safe(&words));
+                    cx.progress.update(done, total, &crate::render::safe(&shortened(words)));
                 }
                 Ok(Line::Diagnostic(finding)) => {
+                    let finding = in_short(finding);
                     heard += 1;
                     if heard > MAX_FINDINGS {
                         // Only counted.
@@ -289,6 +292,33 @@ impl Ready<'_> {
 
     pub(super) fn input(&self, code: Code, message: String) -> StageError {
         StageError::input(Diagnostic::error(code, format!("plugin stage `{}`: {message}", self.stage.info.name)))
+    }
+}
+
+/// A text of a plugin, up to its longest.
+fn shortened(mut text: String) -> String {
+    let count = text.chars().count();
+    if let Some((end, _)) = text.char_indices().nth(MAX_TEXT) {
+        text.truncate(end);
+        text.push_str(&format!("… ({} more letters of the plugin were left out)", count - MAX_TEXT));
+    }
+    text
+}
+
+/// A finding of a plugin with all its texts up to their longest.
+fn in_short(finding: Diagnostic) -> Diagnostic {
+    let place = |s: SourceRef| SourceRef {
+        file: shortened(s.file),
+        block: s.block.map(shortened),
+        layer: s.layer.map(shortened),
+        ..s
+    };
+    Diagnostic {
+        code: shortened(finding.code),
+        message: shortened(finding.message),
+        hint: finding.hint.map(shortened),
+        source: finding.source.map(place),
+        ..finding
     }
 }
 

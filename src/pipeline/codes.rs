@@ -32,6 +32,9 @@ codes! {
     /// `{out}` stands for the output folder and can only stand at the beginning of a path: "{out}/name.glb".
     OUT_NOT_FIRST = "out-not-first";
 
+    /// Two `--set` name the same input or parameter. The last one counts.
+    SET_TWICE = "set-twice";
+
     /// The file is not TOML at this place. Texts stand in quotes, tables in [brackets], lists of tables in [[two
     /// brackets]].
     TOML_SYNTAX = "toml-syntax";

@@ -1,10 +1,13 @@
 //! `--set`: values of inputs and of stage parameters from the command line.
 
+use super::codes;
 use super::document::{Document, Reader, StageEntry};
 use super::inputs::refuse_unknown_set;
 use super::schema_walk::SchemaTree;
 use crate::codes::SET_FORM;
+use std::collections::BTreeSet;
 use std::ops::Range;
+use toile_garment::Diagnostic;
 use toile_stage_api::{Knob, Registry};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
@@ -36,6 +39,7 @@ pub(super) struct Overrides<'t> {
 /// Sorts the overrides and refuses those that name nothing.
 pub(super) fn sort<'t>(cx: &mut Reader<'_>, document: &Document<'t>, registry: &Registry) -> Overrides<'t> {
     let mut sorted = Overrides::default();
+    let mut seen = BTreeSet::new();
     for (index, set) in document.source.sets().iter().enumerate() {
         let Some((key, raw)) = set.split_once('=') else {
             let span = document.source.span_of_set(index);
@@ -48,6 +52,11 @@ pub(super) fn sort<'t>(cx: &mut Reader<'_>, document: &Document<'t>, registry: &
             continue;
         };
         let key = key.trim();
+        if !seen.insert(key) {
+            let message = format!("`{key}` is set twice; the last --set counts");
+            let place = cx.source.place(&document.source.span_of_set(index));
+            cx.report.push(Diagnostic::warning(codes::SET_TWICE, message).at(place).hint("leave the other one out"));
+        }
         if document.inputs.contains_key(key) {
             sorted.inputs.push((key.to_owned(), raw.to_owned(), index));
         } else if let Some((stage, path)) = stage_key(document, key) {

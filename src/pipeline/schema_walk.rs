@@ -167,7 +167,8 @@ impl SchemaTree {
     pub fn means_file(&self, key: &str) -> bool {
         let Some(properties) = self.root().get("properties").and_then(Value::as_object) else { return false };
         let is_input = |schema: &Value| schema.get("format").and_then(Value::as_str) == Some("input-file");
-        let known = properties.get(key).or_else(|| properties.get(nearest(key, properties.keys().map(String::as_str))?));
+        let known =
+            properties.get(key).or_else(|| properties.get(nearest(key, properties.keys().map(String::as_str))?));
         known.is_some_and(|s| is_input(s) || s.get("additionalProperties").is_some_and(is_input))
     }
 

@@ -69,8 +69,9 @@ pub fn add(
 /// Makes the cut lines. Notches of lines that are replaced go out to the new one.
 fn apply(params: &AllowanceParams, pieces: &mut [Piece], which: Which) -> Result<Vec<Diagnostic>, Vec<Diagnostic>> {
     let mut errors = unknown(params, pieces);
-    let mut findings = Vec::new();
-    for piece in pieces.iter_mut().filter(|p| which == Which::All || p.cut_line.is_none()) {
+    let (mut findings, mut made) = (Vec::new(), Vec::new());
+    let wanted = |p: &Piece| which == Which::All || p.cut_line.is_none();
+    for (i, piece) in pieces.iter_mut().enumerate().filter(|(_, p)| wanted(p)) {
         match allowance::cut_line(piece, &of(params, piece)) {
             Ok((line, mut told)) => {
                 findings.append(&mut told);
@@ -79,15 +80,18 @@ fn apply(params: &AllowanceParams, pieces: &mut [Piece], which: Which) -> Result
                     piece.notches.iter_mut().filter(|n| n.is_on_edge()).for_each(|n| n.at = outward(n.at, &sew, &cut));
                 }
                 piece.cut_line = Some(line);
+                made.push(i);
             }
             Err(error) => errors.push(error),
         }
     }
+    allowance::even_sizes(pieces, &made);
     if errors.is_empty() { Ok(findings) } else { Err(errors) }
 }
 
 fn of(params: &AllowanceParams, piece: &Piece) -> Allowance {
-    let width = params.pieces.get(&piece.name).unwrap_or(&params.width).0;
+    let width = params.pieces.get(&piece.name).or_else(|| params.pieces.get(piece.base_name()));
+    let width = width.unwrap_or(&params.width).0;
     let edges = params.edges.iter().filter_map(|(key, width)| Some((edge(key, piece)?, width.0))).collect();
     let corners = match params.corners {
         Corners::Miter => CornerKind::Miter,
@@ -99,14 +103,16 @@ fn of(params: &AllowanceParams, piece: &Piece) -> Allowance {
 
 /// The edge of this piece that a key names.
 fn edge(key: &str, piece: &Piece) -> Option<u32> {
-    let word = key.strip_prefix(piece.name.as_str())?.strip_prefix('.')?;
+    let of = |name: &str| key.strip_prefix(name)?.strip_prefix('.');
+    let word = of(&piece.name).or_else(|| of(piece.base_name()))?;
     let named = piece.edges.iter().find(|e| e.name.as_deref() == Some(word)).map(|e| e.index);
     named.or_else(|| word.parse().ok().filter(|n| piece.edges.iter().any(|e| e.index == *n)))
 }
 
 fn unknown(params: &AllowanceParams, pieces: &[Piece]) -> Vec<Diagnostic> {
     let names: Vec<&str> = pieces.iter().map(|p| p.name.as_str()).collect();
-    let lost_piece = params.pieces.keys().filter(|k| !names.contains(&k.as_str())).map(|k| {
+    let is_there = |name: &str| pieces.iter().any(|p| p.name == name || p.base_name() == name);
+    let lost_piece = params.pieces.keys().filter(|k| !is_there(k)).map(|k| {
         let text = format!("`allowance.pieces`: there is no piece `{k}`; there are {}", names.join(", "));
         Diagnostic::error(PIECE_UNKNOWN, text)
     });

@@ -10,6 +10,7 @@ use toile_formats::dxf::darts::UndecidedDart;
 use toile_formats::dxf::layers::Layers;
 use toile_formats::dxf::{self, InsertRule, ReadOptions, Tolerances, Vendor};
 use toile_formats::rul;
+use toile_garment::sewing::SewingPlan;
 use toile_garment::units::{Angle, Length};
 use toile_garment::{Aspect, Code, Diagnostic, Garment, SourceRef};
 use toile_stage_api::{Cost, Forecast, Stage, StageContext, StageError, StageInfo};
@@ -168,7 +169,10 @@ impl Stage for ImportDxf {
                 forecast.garment = garment;
                 sew(params, &mut forecast.garment, undecided, cx)
             }
-            None => params.sewing.as_ref().map_or(Ok(()), |path| crate::sewing::file(path, cx).map(drop)),
+            None => {
+                let plan = params.sewing.as_ref().map_or(Ok(SewingPlan::default()), |p| crate::sewing::file(p, cx));
+                plan.map(|plan| forecast.garment.plan = plan)
+            }
         };
         forecast.in_doubt = wrong.is_some() || sewn.is_err();
         match (wrong, sewn) {

@@ -189,6 +189,9 @@ fn measured_drapes_are_predicted() {
     for name in ["validate.json", "validate.svg", "validate.md"] {
         assert!(out.join(name).is_file(), "{name}");
     }
+    // What is there is replaced only where that is asked for.
+    let again = run();
+    assert!(again.code == 2 && again.err.contains("replace it with --force"), "{again:?}");
     // A table that cannot be read is refused with the line, and nothing is simulated.
     std::fs::write(&table, captures.replace(",62,", ",162,")).expect("written");
     let refused = run();

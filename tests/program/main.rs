@@ -4,6 +4,7 @@
 mod support;
 
 mod acceptance;
+mod all_at_once;
 mod altered;
 mod bad;
 mod bundle;

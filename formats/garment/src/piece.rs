@@ -161,6 +161,13 @@ pub struct Piece {
 }
 
 impl Piece {
+    /// The name without its size: pieces that are read in several sizes are called `piece@size`.
+    #[must_use]
+    pub fn base_name(&self) -> &str {
+        let of_size = |size: &str| self.name.strip_suffix(size)?.strip_suffix('@').filter(|base| !base.is_empty());
+        self.size.as_deref().and_then(of_size).unwrap_or(&self.name)
+    }
+
     /// Area of the cloth inside the sewn line, square metres: without cut-outs, and without the intakes of darts that
     /// are cut out when the piece is meshed.
     #[must_use]

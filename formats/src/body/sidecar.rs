@@ -9,6 +9,7 @@ use serde_spanned::Spanned;
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
+use std::ops::RangeInclusive;
 use toile_garment::body::{Body, BodySegment};
 use toile_garment::units::Length;
 use toile_garment::{Diagnostic, Vec3};
@@ -19,8 +20,10 @@ const SEGMENTS: [&str; 6] = ["torso", "arm-left", "arm-right", "leg-left", "leg-
 const SEGMENT_KEYS: [&str; 4] = ["from", "to", "half_width", "half_depth"];
 /// Keys at the top of the file.
 const TOP: [&str; 6] = ["name", "measures", "landmarks", "segments", "note", "source"];
-/// Largest length in a body file, metres.
+/// Largest coordinate in a body file, metres.
 const MAX: f64 = 10.0;
+/// Largest measure of a body, metres: higher than a giant, and wider than the widest.
+const MEASURE: f64 = 3.0;
 
 /// The contents of the file.
 #[derive(Default)]
@@ -46,7 +49,7 @@ pub fn read(text: &str, file: &str) -> Result<Sidecar, Vec<Diagnostic>> {
             "name" => out.name = r.text(key, value),
             "measures" => {
                 for (name, value) in r.entries(key, value) {
-                    if let Some(x) = r.length(name.get_ref(), value, 0.0) {
+                    if let Some(x) = r.length(name.get_ref(), value, 0.0..=MEASURE) {
                         out.measures.insert(name.get_ref().to_string(), x);
                     }
                 }
@@ -109,15 +112,16 @@ impl<'a> Reader<'a> {
         }
     }
 
-    fn length(&mut self, name: &str, value: &Spanned<DeValue<'_>>, min: f64) -> Option<f64> {
+    fn length(&mut self, name: &str, value: &Spanned<DeValue<'_>>, range: RangeInclusive<f64>) -> Option<f64> {
         let parsed = match value.get_ref() {
             DeValue::String(text) => text.parse::<Length>().map_err(|e| e.message),
             other => Err(format!("a length needs a unit, e.g. \"720 mm\", not {}", describe(other))),
         };
         match parsed {
-            Ok(x) if (min..=MAX).contains(&x.0) => Some(x.0),
+            Ok(x) if range.contains(&x.0) => Some(x.0),
             Ok(x) => {
-                self.wrong(value, format!("`{name} = {x}` is out of range; allowed is {} m to {MAX} m", min));
+                let (low, high) = range.into_inner();
+                self.wrong(value, format!("`{name} = {x}` is out of range; allowed is {low} m to {high} m"));
                 None
             }
             Err(why) => {
@@ -132,7 +136,7 @@ impl<'a> Reader<'a> {
             self.wrong(value, format!("`{name}` must be three lengths, e.g. [\"0 mm\", \"1040 mm\", \"0 mm\"]"));
             return None;
         };
-        let cells: Vec<Option<f64>> = cells.iter().map(|c| self.length(name, c, -MAX)).collect();
+        let cells: Vec<Option<f64>> = cells.iter().map(|c| self.length(name, c, -MAX..=MAX)).collect();
         match cells.as_slice() {
             [Some(x), Some(y), Some(z)] => Some(Vec3::new(*x, *y, *z)),
             _ => None,
@@ -153,8 +157,8 @@ impl<'a> Reader<'a> {
         }
         let from = self.part(name, table, "from").and_then(|v| self.point("from", v));
         let to = self.part(name, table, "to").and_then(|v| self.point("to", v));
-        let half_width = self.part(name, table, "half_width").and_then(|v| self.length("half_width", v, 1e-3));
-        let half_depth = self.part(name, table, "half_depth").and_then(|v| self.length("half_depth", v, 1e-3));
+        let half_width = self.part(name, table, "half_width").and_then(|v| self.length("half_width", v, 1e-3..=MAX));
+        let half_depth = self.part(name, table, "half_depth").and_then(|v| self.length("half_depth", v, 1e-3..=MAX));
         let segment = BodySegment { from: from?, to: to?, half_width: half_width?, half_depth: half_depth? };
         if (segment.to - segment.from).norm() < 1e-6 {
             self.wrong(value, format!("the segment `{}` has no length", name.get_ref()));

@@ -5,7 +5,7 @@ use super::findings::Findings;
 use super::groups::Groups;
 use crate::codes::CODE_PAGE_UNKNOWN;
 use crate::encoding::{self, TextEncoding};
-use toile_garment::Diagnostic;
+use toile_garment::{Diagnostic, Severity};
 
 #[derive(Default)]
 pub(crate) struct Header {
@@ -79,5 +79,7 @@ pub(crate) fn say_encoding(bytes: &[u8], header: &Header, encoding: TextEncoding
         _ => return,
     };
     let hint = "if names look wrong, give the code page: code_page = \"…\"";
-    findings.push(Diagnostic::warning(codes::ENCODING_GUESSED, text).at(findings.place(1)).hint(hint));
+    // Valid UTF-8 is hardly ever anything else.
+    let severity = if encoding.name() == "utf-8" { Severity::Info } else { Severity::Warning };
+    findings.push(Diagnostic::new(severity, codes::ENCODING_GUESSED, text).at(findings.place(1)).hint(hint));
 }

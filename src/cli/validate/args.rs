@@ -34,6 +34,9 @@ pub struct ValidatedDrapeArgs {
     /// Folder of the results [default: out/CAPTURES-validate].
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
+    /// Replace an earlier validation.
+    #[arg(long)]
+    pub force: bool,
     /// For programs.
     #[arg(long)]
     pub json: bool,

@@ -4,7 +4,7 @@ mod args;
 
 pub use args::ValidateArgs;
 
-use super::bench::{check_folder, tell, write_files};
+use super::bench::{check_folder, is_new, tell, write_files};
 use super::console::Console;
 use crate::engine::{Exit, MAX_INPUT, Stop, clean, of_file_error, of_stage_error, read_limited};
 use crate::halt::Halt;
@@ -34,6 +34,9 @@ fn work(args: &ValidatedDrapeArgs, stop: &Arc<Stop>, console: &mut Console<'_>) 
     let stem = args.captures.file_stem().map_or_else(String::new, |n| n.to_string_lossy().into_owned());
     let out = args.out.clone().unwrap_or_else(|| PathBuf::from("out").join(format!("{stem}-validate")));
     check_folder(&out, (FILES[0], "toile_validate", "captures"), &name).map_err(Halt::usage)?;
+    if !args.force {
+        is_new(&out, FILES[0], "validation").map_err(Halt::usage)?;
+    }
     super::run::pool(args.threads);
     let order = Order { edge: args.edge.0, falls: args.falls, cancel: stop.flag() };
     let mut say = |what: &str| {

@@ -228,6 +228,12 @@ impl BodyMeasures {
     }
 }
 
+/// Smallest and largest sane value of a measure of an adult by its name, metres.
+pub(super) fn range_of(name: &str) -> Option<(f64, f64)> {
+    let names = BodyMeasures::default().entries().map(|(name, _)| name);
+    names.iter().position(|n| *n == name).map(|i| RANGES[i])
+}
+
 /// Smallest and largest stature, metres.
 const STATURE: (f64, f64) = (0.75, 2.10);
 /// Smallest and largest sane value of each measure of an adult, in the order of [`BodyMeasures::entries`], metres.

@@ -1,6 +1,7 @@
 //! Body and fabrics from their files.
 
 use super::{StitchParams, codes};
+use crate::body::check_side_file;
 use crate::codes::TEXT_NOT_UTF8;
 use std::collections::BTreeSet;
 use std::path::Path;
@@ -93,7 +94,10 @@ pub fn body(path: &Path, cx: &mut StageContext<'_>) -> Result<Body, StageError> 
             cx.report.push(finding);
         }
     }
-    Ok(read.body)
+    let said = if side.is_some() { check_side_file(&read.body, &side_path.display().to_string()) } else { Vec::new() };
+    let (wrong, doubtful): (Vec<_>, Vec<_>) = said.into_iter().partition(|f| f.severity == Severity::Error);
+    cx.report.findings.extend(doubtful);
+    if wrong.is_empty() { Ok(read.body) } else { Err(StageError::Input(wrong)) }
 }
 
 fn text(path: &Path, bytes: &[u8]) -> Result<String, StageError> {

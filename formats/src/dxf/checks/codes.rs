@@ -35,6 +35,10 @@ codes! {
     /// No text of the file says `Piece Name`. The pieces have the names of their blocks.
     PIECE_NAME_MISSING = "piece-name-missing";
 
+    /// The names of two pieces differ in the case of their letters alone. Sewing files must spell them exactly, and other
+    /// systems may take them for one piece.
+    PIECE_NAMES_ALIKE = "piece-names-alike";
+
     /// Two blocks have the same piece name and size. Both were read, the later one under a numbered name; if one is a
     /// leftover, take it out of the file.
     PIECE_REPEATS = "piece-repeats";

@@ -31,6 +31,7 @@ pub(super) fn check(pieces: &[DrawnPiece], refused: &[RefusedPiece], sample: Opt
     }
     sample_size(pieces, &sizes, sample, desk);
     names(pieces, desk);
+    alike_names(&named, pieces, desk);
     for list in named.values() {
         let group: Vec<&DrawnPiece> = list.iter().map(|i| &pieces[*i]).collect();
         twice(&group, desk);
@@ -68,6 +69,18 @@ fn names(pieces: &[DrawnPiece], desk: &mut Desk<'_>) {
     );
     let place = desk.findings.place_in(&first.block, Some("1"), first.line);
     desk.findings.push(Diagnostic::info(codes::PIECE_NAME_MISSING, text).at(place));
+}
+
+/// Pieces whose names differ in the case of their letters alone.
+fn alike_names(named: &Group, pieces: &[DrawnPiece], desk: &mut Desk<'_>) {
+    let mut first: BTreeMap<String, &str> = BTreeMap::new();
+    for (name, list) in named {
+        let Some(other) = first.insert(name.to_lowercase(), name) else { continue };
+        let text = format!("the names of the pieces `{other}` and `{name}` differ in the case of their letters alone");
+        let hint = "give them names of their own: other systems, and names of files, may not tell them apart";
+        let second = &pieces[list[0]];
+        desk.say(Diagnostic::warning(codes::PIECE_NAMES_ALIKE, text).hint(hint), &second.block, "1", second.line);
+    }
 }
 
 /// Two pieces of one name and size.

@@ -11,6 +11,8 @@ use toile_garment::Vec2;
 
 /// A rule text stands at its point within this, mm.
 pub(super) const AT: f64 = 0.02;
+/// A point of layer 2 or 3 classifies a vertex within this, mm.
+const AT_VERTEX: f64 = 0.05;
 
 /// Why a piece could not be graded.
 #[derive(Clone, Debug, PartialEq)]
@@ -126,9 +128,25 @@ pub fn grade(sample: &DrawnPiece, table: &RuleTable, size: &str) -> Result<Drawn
     }
     // The fold moves with the boundary it lies on; the grain keeps its direction.
     piece.axes.fold = piece.axes.fold.map(|f| f.map(|p| cut.carry(p)));
-    piece.points.turn_list.iter_mut().for_each(|p| *p = cut.carry(*p));
+    // Points that classify vertices go with them.
+    let (before, after) = (vertices(sample), vertices(&piece));
+    let index = PointIndex::new(AT_VERTEX, before.iter().copied().enumerate().map(|(i, p)| (p, i)));
+    let moved = |p: Vec2| match index.near(p, AT_VERTEX).first() {
+        Some((_, i)) => p + after[*i] - before[*i],
+        None => cut.carry(p),
+    };
+    let points = &mut piece.points;
+    points.turn_list.iter_mut().chain(&mut points.curve_list).for_each(|p| *p = moved(*p));
     piece.size = Some(table.sizes[column].clone());
     Ok(piece)
+}
+
+/// All vertices of the lines of a piece that points of layers 2 and 3 classify, in a fixed order.
+fn vertices(piece: &DrawnPiece) -> Vec<Vec2> {
+    let inside = &piece.inside;
+    let paths = inside.internal.iter().chain(&inside.cutouts).chain(inside.stripes.iter().map(|s| &s.1));
+    let outlines = std::iter::once(&piece.boundary).chain(&piece.sew);
+    outlines.flat_map(Outline::positions).chain(paths.flat_map(Path::positions)).collect()
 }
 
 fn outline(o: &mut Outline, growth: &Growth, cut: Option<&Moved>) -> Option<Moved> {

@@ -1,11 +1,12 @@
 //! A flat drawing: no block is a piece, so the closed lines of ENTITIES are.
 //!
-//! Plot frames round pieces are left out. Open lines belong to the piece they lie in or touch: short ones at its
+//! Plot frames round pieces and title blocks are left out. Open lines belong to the piece they lie in or touch: short ones at its
 //! outline are strokes of notches.
 
 use super::codes;
 use super::frames;
 use super::sheets::Draft;
+use super::titles;
 use crate::dxf::chain::{self, Path};
 use crate::dxf::codes::PIECES_FROM_ENTITIES;
 use crate::dxf::geom;
@@ -45,13 +46,13 @@ impl Outer {
 /// The outermost closed lines in ENTITIES as pieces.
 pub(super) fn flat(drawing: &Drawing, sorter: &mut Sorter<'_>, tolerances: &Tolerances) -> Vec<Draft> {
     let all = sorter.loose(as_outlines(drawing, sorter.layers).iter());
-    let chained = chain::chain(all.boundary.clone(), tolerances.gap);
-    let mut loops = chained.closed;
+    let mut chained = chain::chain(all.boundary.clone(), tolerances.gap);
     let area = |p: &Path| geom::area(&p.positions()).abs();
-    loops.sort_by(|a, b| area(b).total_cmp(&area(a)));
-    frames::leave_out(&mut loops, sorter);
+    chained.closed.sort_by(|a, b| area(b).total_cmp(&area(a)));
+    frames::leave_out(&mut chained.closed, sorter);
+    titles::leave_out(&mut chained, &all, sorter);
     let mut outer: Vec<Outer> = Vec::new();
-    for path in loops.into_iter().take(limits::PIECES + 1) {
+    for path in chained.closed.into_iter().take(limits::PIECES + 1) {
         match outer.iter().position(|o| geom::inside(path.points[0].0, &o.polygon)) {
             Some(i) => outer[i].sheet.internal.push(path),
             None => outer.push(Outer::new(path)),

@@ -28,15 +28,15 @@ enum Meaning {
 }
 
 /// A closed line with its polygon and its box.
-struct Line<'a> {
-    path: &'a Path,
-    points: Vec<Vec2>,
+pub(super) struct Line<'a> {
+    pub path: &'a Path,
+    pub points: Vec<Vec2>,
     low: Vec2,
     size: Vec2,
 }
 
 impl<'a> Line<'a> {
-    fn new(path: &'a Path) -> Self {
+    pub fn new(path: &'a Path) -> Self {
         let points = path.positions();
         let (low, high) = geom::bounds(points.iter().copied()).unwrap_or_default();
         Self { path, points, low, size: high - low }
@@ -46,7 +46,7 @@ impl<'a> Line<'a> {
         self.size.x.min(self.size.y) >= PIECE
     }
 
-    fn is_upright_rectangle(&self) -> bool {
+    pub fn is_upright_rectangle(&self) -> bool {
         let high = self.low + self.size;
         let on_edge = |p: &Vec2| {
             let (a, b) = (p - self.low, high - p);
@@ -55,8 +55,17 @@ impl<'a> Line<'a> {
         self.points.iter().all(on_edge) && geom::area(&self.points).abs() >= 0.999 * self.size.x * self.size.y
     }
 
-    fn holds(&self, other: &Line<'_>) -> bool {
+    pub fn holds(&self, other: &Line<'_>) -> bool {
         other.points.iter().all(|p| geom::inside(*p, &self.points))
+    }
+
+    /// Do the boxes of two lines touch or overlap?
+    pub fn touches(&self, other: &Line<'_>) -> bool {
+        let apart = |k: usize| {
+            let (a, b) = (self.low[k] + self.size[k], other.low[k] + other.size[k]);
+            self.low[k] > b + TOUCH || other.low[k] > a + TOUCH
+        };
+        !apart(0) && !apart(1)
     }
 
     fn area(&self) -> f64 {

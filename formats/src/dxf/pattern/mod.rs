@@ -9,6 +9,7 @@ mod inserts;
 mod layer_names;
 mod nest_findings;
 mod sheets;
+mod titles;
 
 pub use inserts::InsertRule;
 
@@ -30,6 +31,7 @@ use super::limits;
 use super::model::{Block, Drawing, Entity, Shape};
 use super::outline::Outline;
 use super::parse;
+use super::piece::SEW_LINE_ON_8;
 use super::piece::{DrawnPiece, PieceTexts, RefusedPiece, in_file_order};
 use super::sheet::{FOREIGN_DRILL, FOREIGN_NOTCH, Sorter, has_boundary};
 use super::texts;
@@ -470,7 +472,11 @@ fn report_keys(pieces: &[DrawnPiece], findings: &mut Findings) {
     let list = |keys: BTreeSet<String>| keys.iter().map(|k| format!("`{k}`")).collect::<Vec<_>>().join(", ");
     let foreign: BTreeSet<String> = pieces.iter().flat_map(|p| p.texts.foreign.iter().cloned()).collect();
     if !foreign.is_empty() {
-        let text = format!("the keys {} of piece texts are those of another standard; they were read", list(foreign));
+        let text = format!(
+            "the keys {} of piece texts are those of another standard; they were read, and are written as the standards \
+             call them",
+            list(foreign)
+        );
         let at = place(findings);
         findings.push(Diagnostic::info(codes::TEXT_KEY_FOREIGN, text).at(at));
     }
@@ -497,9 +503,10 @@ fn report_keys(pieces: &[DrawnPiece], findings: &mut Findings) {
 /// Lines that other programs draw on layers that hold points here, and what they were read as.
 fn report_foreign_lines(ledger: &Ledger, findings: &mut Findings) {
     for ((_, rule), count) in ledger.by_rule() {
-        if rule == FOREIGN_NOTCH || rule == FOREIGN_DRILL {
+        if [FOREIGN_NOTCH, FOREIGN_DRILL, SEW_LINE_ON_8].contains(&rule) {
             let place = findings.place(1);
-            let text = format!("{count} × {rule}, as some programs draw them");
+            let on_14 = if rule == SEW_LINE_ON_8 { "; sew lines are written on layer 14" } else { "" };
+            let text = format!("{count} × {rule}, as some programs draw them{on_14}");
             findings.push(Diagnostic::info(codes::LAYER_FOREIGN, text).at(place));
         }
     }

@@ -16,6 +16,7 @@ mod sew;
 pub(super) use offset::is_moved_inwards;
 pub use refused::RefusedPiece;
 pub(crate) use refused::in_file_order;
+pub(crate) use sew::SEW_LINE_ON_8;
 
 use super::chain::Path;
 use super::darts::{Denied, DrawnDart, Pleat};

@@ -42,6 +42,13 @@ pub(super) fn add_colons(notes: &mut [Note]) -> BTreeSet<String> {
     added
 }
 
+/// The place within reach of a rule, if all of them are one.
+fn only_near(index: &PointIndex, places: &[Vec2], at: Vec2) -> Option<Vec2> {
+    let near = index.near(at, RULE_OFF);
+    let first = places[near.first()?.1];
+    near.iter().all(|(_, i)| (places[*i] - first).norm() <= grade::AT).then_some(first)
+}
+
 impl DrawnPiece {
     pub(super) fn read_notes(&mut self, notes: Vec<Note>, desk: &mut Desk<'_>) {
         let starts = |p: &Path| [p.points[0].0, p.points[p.points.len() - 1].0];
@@ -74,6 +81,9 @@ impl DrawnPiece {
             && self.texts.keys.remove("fabric") != self.texts.keys.get("material").cloned()
         {
             self.texts.others.push((note.at, note.layer, note.text));
+        }
+        if self.texts.keys.get("fabric").is_some_and(|f| !f.is_empty()) {
+            self.texts.foreign.insert("fabric".to_owned());
         }
     }
 
@@ -137,21 +147,27 @@ impl DrawnPiece {
         if self.texts.rules.is_empty() {
             return;
         }
-        let places = self.rule_places();
-        let index = PointIndex::new(RULE_OFF, places.iter().enumerate().map(|(i, p)| (*p, i)));
+        let [graded, others] = self.rule_places();
+        let index =
+            |places: &[Vec2]| PointIndex::new(RULE_OFF, places.iter().copied().enumerate().map(|(i, p)| (p, i)));
+        let (on_graded, on_others) = (index(&graded), index(&others));
+        let stand = PointIndex::new(grade::AT, self.texts.rules.iter().map(|r| (r.at, r.rule as usize)));
         let (mut moved, mut lost) = ((0_usize, 0.0_f64), Vec::new());
         for rule in &mut self.texts.rules {
-            let near = index.near(rule.at, RULE_OFF);
-            let are_one = |at: Vec2| near.iter().all(|(_, i)| (places[*i] - at).norm() <= grade::AT);
-            match near.first().map(|(off, i)| (*off, places[*i])) {
-                Some((off, _)) if off <= grade::AT => {}
-                Some((off, at)) if are_one(at) => {
-                    moved = (moved.0 + 1, moved.1.max(off));
+            if on_graded.has(rule.at, grade::AT) || on_others.has(rule.at, grade::AT) {
+                continue;
+            }
+            // A vertex that has a rule of its own keeps it.
+            let is_free = |at: &Vec2| stand.near(*at, grade::AT).iter().all(|(_, other)| *other == rule.rule as usize);
+            let beside = only_near(&on_graded, &graded, rule.at).or_else(|| only_near(&on_others, &others, rule.at));
+            match beside.filter(is_free) {
+                Some(at) => {
+                    moved = (moved.0 + 1, moved.1.max((rule.at - at).norm()));
                     rule.at = at;
                 }
                 // Rule 0 moves nothing: it may stand anywhere.
-                _ if rule.rule != 0 => lost.push(*rule),
-                _ => {}
+                None if rule.rule != 0 => lost.push(*rule),
+                None => {}
             }
         }
         if moved.0 > 0 {
@@ -176,24 +192,20 @@ impl DrawnPiece {
         }
     }
 
-    /// Every place that a grade rule can belong to.
-    fn rule_places(&self) -> Vec<Vec2> {
-        let lines = [
-            Some(&self.boundary),
-            self.sew.as_ref(),
-            self.unfinished.dense.as_ref(),
-            self.unfinished.dense_sew.as_ref(),
-        ];
-        let mut all: Vec<Vec2> = lines.into_iter().flatten().flat_map(|l| l.drawn.iter().map(|n| n.at)).collect();
+    /// The places that a grade rule moves, and those at which one may stand beside them. Dense copies follow their
+    /// originals: a rule on one of their vertices alone moves nothing.
+    fn rule_places(&self) -> [Vec<Vec2>; 2] {
+        let lines = std::iter::once(&self.boundary).chain(&self.sew);
+        let mut graded: Vec<Vec2> = lines.flat_map(|l| l.drawn.iter().map(|n| n.at)).collect();
         let inside =
             self.inside.internal.iter().chain(&self.inside.cutouts).chain(self.inside.stripes.iter().map(|s| &s.1));
-        all.extend(inside.flat_map(|p| p.points.iter().map(|q| q.0)));
-        all.extend(self.inside.drills.iter().map(|d| d.at));
-        all.extend(self.unfinished.marks.iter().map(|m| m.at));
-        all.extend(self.unfinished.strokes.iter().flat_map(|s| s.ends));
+        graded.extend(inside.flat_map(|p| p.points.iter().map(|q| q.0)));
+        graded.extend(self.inside.drills.iter().map(|d| d.at));
+        let mut others: Vec<Vec2> = self.unfinished.marks.iter().map(|m| m.at).collect();
+        others.extend(self.unfinished.strokes.iter().flat_map(|s| s.ends));
         let axes = [self.axes.grain, self.axes.fold, self.axes.reference];
-        all.extend(axes.into_iter().flatten().chain(self.axes.alternates.iter().map(|a| a.1)).flatten());
-        all
+        others.extend(axes.into_iter().flatten().chain(self.axes.alternates.iter().map(|a| a.1)).flatten());
+        [graded, others]
     }
 
     /// Every alternate reference line that a rule names must be there.

@@ -16,6 +16,8 @@ const SHARE_OF_NET: f64 = 0.3;
 const ON_EDGE: f64 = 0.5;
 /// Stretches of an edge at whose ends it is looked at.
 const BETWEEN: u8 = 8;
+/// The ledger's word on sew lines that do not stand on their own layer.
+pub(crate) const SEW_LINE_ON_8: &str = "closed line on layer 8 inside the outline: sew line";
 /// Most open lines of layer 8 that are joined to see whether they are the sew line.
 const RUNS: usize = 400;
 
@@ -103,7 +105,7 @@ impl DrawnPiece {
         let largest = lines.max_by(|a, b| area(a).total_cmp(&area(b))).cloned();
         let Some(path) = largest.or_else(|| self.inner_copy_in_runs()) else { return };
         for id in &path.ids {
-            desk.overrule(*id, Verdict::Interpreted, "closed line on layer 8 inside the outline: sew line");
+            desk.overrule(*id, Verdict::Interpreted, SEW_LINE_ON_8);
         }
         let taken: Vec<bool> =
             self.inside.internal.iter().map(|p| p.ids.iter().any(|id| path.ids.contains(id))).collect();

@@ -132,3 +132,38 @@ fn a_frame_on_a_layer_of_its_own_can_be_left_out() {
     assert_eq!((areas(&pattern), said(&pattern, "plot-frame-undecided")), (vec![113_400.0], 0));
     assert_eq!(areas(&lines(&[&FRONT])), [113_400.0]);
 }
+
+/// A text on layer 0 at a place.
+fn note(w: Writer, x: f64, y: f64, text: &str) -> Writer {
+    w.pair(0, "TEXT").pair(8, "0").xy(10, x, y).pair(1, text)
+}
+
+#[test]
+fn a_title_block_is_no_piece() {
+    let title = rectangle(900.0, 0.0, 180.0, 60.0);
+    let both = |w: Writer| w.polyline("0", true, &FRONT).polyline("0", true, &shifted(400.0));
+    let words = |w: Writer| note(note(w, 910.0, 40.0, "STYLE 4711"), 910.0, 10.0, "Scale 1:1");
+    let plain = good(&flat(|w| words(both(w).polyline("0", true, &title))));
+    assert_eq!((areas(&plain), said(&plain, "plot-frame-left-out")), (vec![113_400.0; 2], 1));
+    // A table: in one rectangle with lines across, and in cells that touch.
+    let lined = good(&flat(|w| {
+        let w = both(w).polyline("0", true, &title).line("0", (900.0, 30.0), (1080.0, 30.0));
+        note(note(w, 910.0, 40.0, "4711 A"), 910.0, 10.0, "Date 1.1.26")
+    }));
+    assert_eq!((areas(&lined), said(&lined, "plot-frame-left-out")), (vec![113_400.0; 2], 1));
+    assert_eq!(said(&lined, "entities-left-out"), 0);
+    let cells = good(&flat(|w| {
+        let w = both(w).polyline("0", true, &rectangle(900.0, 0.0, 90.0, 30.0));
+        let w = w.polyline("0", true, &rectangle(990.0, 0.0, 90.0, 30.0));
+        note(note(w, 910.0, 10.0, "款号 4711"), 1000.0, 10.0, "A. Name")
+    }));
+    assert_eq!((areas(&cells), said(&cells, "plot-frame-left-out")), (vec![113_400.0; 2], 1));
+    // A waistband with its labels is a piece; where they may be those of a sheet, that is told.
+    for (labels, doubts) in [(["PIECE: BAND", "Style 4711"], 0), (["CUT ON GRAIN", "interline"], 1)] {
+        let band = good(&flat(|w| {
+            let w = both(w).polyline("0", true, &title);
+            note(note(w, 910.0, 40.0, labels[0]), 910.0, 10.0, labels[1])
+        }));
+        assert_eq!((band.pieces.len(), said(&band, "plot-frame-undecided")), (3, doubts), "{labels:?}");
+    }
+}

@@ -206,7 +206,8 @@ fn half_pieces_open_at_the_fold() {
     for layer in ["14", "8"] {
         let pattern =
             good(&file(|w| w.polyline("1", false, &open).line("6", half[0], half[1]).polyline(layer, false, &sew)));
-        assert_eq!(codes(&pattern.findings), [] as [&str; 0], "layer {layer}");
+        let said: &[&str] = if layer == "8" { &["layer-foreign"] } else { &[] };
+        assert_eq!(codes(&pattern.findings), said, "layer {layer}");
         let g = garment(&pattern);
         let piece = &g.pieces[0];
         assert!((piece.outline.signed_area() - 0.28 * 0.58).abs() < 1e-9, "{}", piece.outline.signed_area());

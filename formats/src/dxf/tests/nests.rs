@@ -91,6 +91,84 @@ fn grade_rules_a_little_beside_their_vertex_count() {
     assert!(said == ["grade-rule-off-vertex"] && !near(corner, 310.0), "{said:?} {corner}");
 }
 
+/// Two sizes, the second 10 mm wider by rule 1; rule 2 moves nothing.
+fn two_sizes() -> rul::RuleTable {
+    let table =
+        "NUMBER OF SIZES: 2\nSIZE LIST: 38 40\nSAMPLE SIZE: 38\nRULE: DELTA 1\n0 0 10 0\nRULE: DELTA 2\n0 0 0 0\nEND\n";
+    rul::read(table.as_bytes(), "t.rul").expect("table")
+}
+
+/// The rectangle with rule 1 on its right side and rule 2 on its left, and more.
+fn ruled(x: f64, more: impl Fn(Writer) -> Writer) -> String {
+    file(|w| {
+        let w = w.polyline("1", true, &RECTANGLE).points("2", &RECTANGLE);
+        let w = w.text_at("2", "# 1", x, 0.0).text_at("2", "# 1", 300.0, 600.0);
+        more(w.text_at("2", "# 2", 0.0, 0.0).text_at("2", "# 2", 0.0, 600.0))
+    })
+}
+
+#[test]
+fn a_dense_copy_does_not_keep_a_rule_from_its_vertex() {
+    // The copy has vertices 0.4 mm beside the corner, one of them where the text of the rule stands.
+    let dense = [(0.0, 0.0), (299.6, 0.0), (300.0, 0.0), (300.0, 0.4), (300.0, 600.0), (0.0, 600.0)];
+    for x in [300.4, 299.6] {
+        let pattern = good(&ruled(x, |w| w.polyline("84", true, &dense)));
+        assert_eq!(codes(&pattern.findings), ["grade-rule-beside-vertex"], "{x}");
+        let (graded, _) = pattern.to_garment(Some("40"), Some(&two_sizes())).expect("graded");
+        assert!((graded.pieces[0].outline.positions()[1].x - 0.31).abs() < 1e-9, "{x}");
+    }
+    // A vertex that has a rule keeps it.
+    let pattern = good(&ruled(299.6, |w| w.text_at("2", "# 2", 300.0, 0.0)));
+    assert_eq!(codes(&pattern.findings), ["grade-rule-off-vertex"]);
+}
+
+#[test]
+fn internal_lines_keep_their_curve_points_in_every_size() {
+    let line = [(50.0, 100.0), (150.0, 140.0), (200.0, 150.0), (250.0, 140.0)];
+    let text = ruled(300.0, |w| {
+        let w = w.polyline("8", false, &line).points("2", &[line[0], line[3]]).points("3", &line[1..3]);
+        w.text_at("2", "# 2", line[0].0, line[0].1).text_at("2", "# 1", line[3].0, line[3].1)
+    });
+    let (pattern, table) = (good(&text), two_sizes());
+    let kinds = |size: &str| {
+        let (garment, _) = pattern.to_garment(Some(size), Some(&table)).expect(size);
+        let line = &garment.pieces[0].internal_lines[0];
+        (line.points.iter().map(|p| p.kind).collect::<Vec<_>>(), line.points[3].at.x)
+    };
+    let ((sample, _), (graded, end)) = (kinds("38"), kinds("40"));
+    assert_eq!(sample, graded);
+    assert_eq!(graded[1], toile_garment::outline::PointKind::Curve);
+    assert!((end - 0.26).abs() < 1e-9);
+}
+
+#[test]
+fn names_that_differ_in_case_alone_are_told() {
+    let piece = |w: Writer, block: &str, name: &str| {
+        let w = w.block(block).text("1", &format!("Piece Name: {name}")).text("1", "Size: 38");
+        w.line("7", (60.0, 150.0), (60.0, 450.0)).polyline("1", true, &RECTANGLE).pair(0, "ENDBLK")
+    };
+    let text = |names: [&str; 2]| {
+        let w = Writer::default().pair(0, "SECTION").pair(2, "BLOCKS");
+        let w = piece(piece(w, "A", names[0]), "B", names[1]);
+        let w = w.pair(0, "ENDSEC").pair(0, "SECTION").pair(2, "ENTITIES").text("1", "Units: METRIC");
+        w.text("1", "Sample Size: 38").pair(0, "ENDSEC").pair(0, "EOF").0
+    };
+    let said = |names| codes(&good(&text(names)).findings).iter().map(|c| (*c).to_owned()).collect::<Vec<_>>();
+    assert_eq!(said(["FRONT", "front"]), ["piece-names-alike"]);
+    assert!(said(["FRONT", "FRONT-2"]).is_empty());
+}
+
+#[test]
+fn a_fabric_that_becomes_the_material_is_told() {
+    let of = |texts: [&str; 2]| {
+        let pattern = good(&file(|w| w.polyline("1", true, &RECTANGLE).text("1", texts[0]).text("1", texts[1])));
+        let material = garment(&pattern).pieces[0].material.clone();
+        (material, codes(&pattern.findings).iter().map(|c| (*c).to_owned()).collect::<Vec<_>>())
+    };
+    assert_eq!(of(["Fabric: SHELL", "Quantity: 1"]), (Some("SHELL".to_owned()), vec!["text-key-foreign".to_owned()]));
+    assert_eq!(of(["Material: SHELL", "Quantity: 1"]), (Some("SHELL".to_owned()), vec![]));
+}
+
 /// A notch that is cut deeply into the outline of one size, and flatly into that of another, is a notch in both. So
 /// both are written with the same vertices.
 #[test]

@@ -34,7 +34,7 @@ pub fn piece_drawing(piece: &Piece, options: PieceOptions, findings: &mut Vec<Di
         piece.cutouts.iter().partition(|l| layer(&l.source) == "1");
     let drawn = piece.drawn.clone().unwrap_or_default();
     let drawing = PieceDrawing {
-        name: base_name(piece),
+        name: piece.base_name().to_owned(),
         size: piece.size.clone(),
         cut: CutNotes {
             quantity: piece.quantity,
@@ -129,13 +129,6 @@ fn closed_line(line: &PieceLine, drawn: &[LinePoint]) -> DrawLine {
     let fine = line.points.iter().map(|p| p.at * MM).collect();
     let points = drawn.iter().map(|p| DrawPoint { at: p.at * MM, kind: p.kind }).collect();
     DrawLine { points, closed: line.closed, dense: Some(fine) }
-}
-
-/// The name without its size: pieces read in several sizes are called `piece@size`.
-fn base_name(piece: &Piece) -> String {
-    let tail = piece.size.as_deref().map(|s| format!("@{s}"));
-    let base = tail.and_then(|t| piece.name.strip_suffix(t.as_str()));
-    base.filter(|b| !b.is_empty()).unwrap_or(&piece.name).to_owned()
 }
 
 fn stripe_layer(line: &PieceLine) -> &'static str {

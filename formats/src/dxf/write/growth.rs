@@ -64,7 +64,7 @@ pub fn made_line(sample: &PieceLine, sizes: &[&PieceLine]) -> Option<Vec<Grown>>
 }
 
 /// The line turned to begin at the corner that answers to the first of `own`: corners lie nearest to each other then.
-fn begun_like(own: &[LinePoint], corners: &[LinePoint], mut line: Vec<LinePoint>) -> Option<Vec<LinePoint>> {
+pub(crate) fn begun_like(own: &[LinePoint], corners: &[LinePoint], mut line: Vec<LinePoint>) -> Option<Vec<LinePoint>> {
     let n = corners.len();
     if n != own.len() || n == 0 {
         return None;

@@ -20,6 +20,7 @@ mod tags;
 #[cfg(test)]
 mod tests;
 
+pub(crate) use growth::begun_like;
 pub(crate) use names::escaped;
 pub(crate) use style::PRODUCT;
 pub(crate) use tags::decimals;

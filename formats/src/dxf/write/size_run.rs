@@ -103,17 +103,15 @@ impl Sizes {
         Ok(Self { file: pattern.file.clone(), style, table_name, names, sample, lists, recut: false, findings })
     }
 
-    /// Changes the cut lines and the notches of the pieces of every size.
+    /// Changes the cut lines and the notches of the pieces of all sizes, which are changed together.
     ///
     /// # Errors
     /// What `change` gives.
-    pub fn recut<E>(&mut self, mut change: impl FnMut(&mut [Piece]) -> Result<(), E>) -> Result<(), E> {
+    pub fn recut<E>(&mut self, change: impl FnOnce(&mut [Piece]) -> Result<(), E>) -> Result<(), E> {
         self.recut = true;
-        for list in &mut self.lists {
-            let mut pieces: Vec<Piece> = list.iter().map(|s| s.piece.clone()).collect();
-            change(&mut pieces)?;
-            list.iter_mut().zip(pieces).for_each(|(s, piece)| s.piece = piece);
-        }
+        let mut pieces: Vec<Piece> = self.lists.iter().flatten().map(|s| s.piece.clone()).collect();
+        change(&mut pieces)?;
+        self.lists.iter_mut().flatten().zip(pieces).for_each(|(s, piece)| s.piece = piece);
         Ok(())
     }
 

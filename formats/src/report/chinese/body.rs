@@ -30,6 +30,7 @@ pub const WORDS: &[Words] = &[
     ("body-led", "第一帧离悬垂时的姿势较远，先把人体带到该姿势。", ""),
     ("body-measure-not-met", "没有同时具有这些尺寸的同类体型。", "采用说明中最接近的尺寸。"),
     ("body-measure-out-of-range", "该尺寸不是人体所有的。", "按说明中的范围改正。"),
+    ("body-not-as-said", "人体说明文件中的值与网格不符。", "改正说明文件，或去掉这些值：没有写的会在网格上量取。"),
     ("body-measures-contradict", "两个尺寸互相矛盾，例如臀位高于腰位。", "改正其中一个。"),
     ("body-missing", "摆放、固定或与人体距离的图需要人体，但没有给出。", "为 stitch 给出 with.body。"),
     ("body-not-clean", "按这些尺寸得到的体表折叠或粘连。", "使尺寸更接近常见值。"),
