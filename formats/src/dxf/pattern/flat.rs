@@ -5,7 +5,7 @@
 
 use super::codes;
 use super::frames;
-use super::sheets::Draft;
+use super::sheets::{self, Draft};
 use super::titles;
 use crate::dxf::chain::{self, Path};
 use crate::dxf::codes::PIECES_FROM_ENTITIES;
@@ -68,6 +68,8 @@ pub(super) fn flat(drawing: &Drawing, sorter: &mut Sorter<'_>, tolerances: &Tole
     let place = sorter.findings.place(1);
     let text = format!("no block holds an outline; {} closed line(s) of ENTITIES were read as pieces", outer.len());
     sorter.findings.push(Diagnostic::warning(PIECES_FROM_ENTITIES, text).at(place));
+    let beside = |n: &&Note| !outer.iter().any(|o| o.holds(n.at));
+    sheets::say_texts(all.notes.iter().filter(beside).map(|n| (n.text.as_str(), 1)), sorter);
     share_out(all, &mut outer);
     outer.sort_by_key(|o| o.line);
     let draft = |(i, o): (usize, Outer)| Draft {

@@ -65,7 +65,27 @@ pub(super) fn sheets(
     }
     loose_lines(drawing, sorter);
     loose_marks(drawing, sorter);
+    let texts = drawing.entities.iter().filter_map(|e| match &e.shape {
+        Shape::Text { value, .. } => Some((value.as_str(), e.line)),
+        _ => None,
+    });
+    say_texts(texts, sorter);
     out
+}
+
+/// Says which texts beside the pieces have no key, so that nothing is made of them.
+pub(super) fn say_texts<'t>(texts: impl Iterator<Item = (&'t str, u64)>, sorter: &mut Sorter<'_>) {
+    let is_plain = |text: &str| !text.trim().is_empty() && text.lines().all(|line| texts::key_value(line).is_none());
+    let is_read = |text: &str| texts::without_colon(text).is_some();
+    let plain: Vec<(&str, u64)> = texts.filter(|(text, _)| is_plain(text) && !is_read(text)).collect();
+    let Some((first, line)) = plain.first() else { return };
+    let text = format!(
+        "{} text(s) lie in no piece and have no key, as `{}`; they were left out",
+        plain.len(),
+        first.lines().next().unwrap_or_default().trim()
+    );
+    let place = sorter.findings.place(*line);
+    sorter.findings.push(Diagnostic::info(codes::ENTITIES_LEFT_OUT, text).at(place));
 }
 
 /// The draft of a block. A block with entities and no outline is told, and is no piece.

@@ -225,8 +225,11 @@ impl DrawnPiece {
         let had = match key {
             "piece name" => self.name.as_deref().map(|n| ("Piece Name", n)),
             "size" => self.size.as_deref().map(|s| ("Size", s)),
+            "material" => self.texts.keys.get(key).map(|m| ("Material", m.as_str())),
+            "category" => self.texts.keys.get(key).map(|c| ("Category", c.as_str())),
             _ => None,
         };
+        let had = had.filter(|(_, had)| !had.is_empty());
         if let Some((what, had)) = had.filter(|(_, h)| !value.is_empty() && !h.eq_ignore_ascii_case(value)) {
             let text = format!(
                 "block `{}` has two texts `{what}` that differ: `{had}` and `{value}`; the first one counts",
