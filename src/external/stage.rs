@@ -306,20 +306,18 @@ fn shortened(mut text: String) -> String {
 }
 
 /// A finding of a plugin with all its texts up to their longest.
-fn in_short(finding: Diagnostic) -> Diagnostic {
+fn in_short(mut finding: Diagnostic) -> Diagnostic {
     let place = |s: SourceRef| SourceRef {
         file: shortened(s.file),
         block: s.block.map(shortened),
         layer: s.layer.map(shortened),
         ..s
     };
-    Diagnostic {
-        code: shortened(finding.code),
-        message: shortened(finding.message),
-        hint: finding.hint.map(shortened),
-        source: finding.source.map(place),
-        ..finding
-    }
+    finding.code = shortened(finding.code);
+    finding.message = shortened(finding.message);
+    finding.hint = finding.hint.map(shortened);
+    finding.source = finding.source.map(place);
+    finding
 }
 
 fn system(message: &str) -> StageError {

@@ -132,11 +132,16 @@ fn make_step<'r>(
     let mut table = entry.with.get_ref().clone();
     overrides::make_way(entry, &overrides.params, stage.knobs(), &mut table);
     overrides::apply(cx, entry, &overrides.params, schema, &mut table);
-    let filled = fill_table(cx, values, &mut table);
+    let unfilled = fill_table(cx, values, &mut table);
+    // What could not be filled is left out, so that what the others say is looked at, too.
+    let can_do_without = unfilled.iter().all(|key| !schema.means_file(key) && !schema.requires(key));
+    if can_do_without {
+        unfilled.iter().for_each(|key| drop(table.remove(key.as_str())));
+    }
     let ready = configure(cx, stage, schema, table.clone(), &entry.with.span(), entry.name.get_ref())?;
     let place = cx.source.place(&entry.name.span());
     let paths = paths(cx, schema, &ready.params(), &table, &place);
-    filled.then(|| Step { id: entry.id.clone(), place, ready, paths })
+    can_do_without.then(|| Step { id: entry.id.clone(), place, ready, paths })
 }
 
 /// The paths among the parameters, defaults included. Their schema says which of them are files; their looks do not.

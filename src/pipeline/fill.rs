@@ -10,11 +10,17 @@ use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-/// Fills every text below a table. False when a text could not be filled; why is in the report.
-pub(super) fn fill_table<'v>(cx: &mut Reader<'_>, values: &'v Values, table: &mut DeTable<'v>) -> bool {
-    let mut filler = Filler { cx: &mut *cx, values, whole: true };
-    filler.table(table);
-    filler.whole
+/// Fills every text below a table. Gives the keys with a text that could not be filled; why is in the report.
+pub(super) fn fill_table<'v>(cx: &mut Reader<'_>, values: &'v Values, table: &mut DeTable<'v>) -> Vec<String> {
+    let mut unfilled = Vec::new();
+    for (key, value) in table.iter_mut() {
+        let mut filler = Filler { cx: &mut *cx, values, whole: true };
+        filler.value(value);
+        if !filler.whole {
+            unfilled.push(key.get_ref().to_string());
+        }
+    }
+    unfilled
 }
 
 struct Filler<'a, 's, 'v> {

@@ -172,6 +172,13 @@ impl SchemaTree {
         known.is_some_and(|s| is_input(s) || s.get("additionalProperties").is_some_and(is_input))
     }
 
+    /// Must a parameter of this name be there?
+    #[must_use]
+    pub fn requires(&self, key: &str) -> bool {
+        let required = self.root().get("required").and_then(Value::as_array);
+        required.into_iter().flatten().any(|name| name.as_str() == Some(key))
+    }
+
     /// All keys of a table that the schema does not know.
     #[must_use]
     pub fn unknown_keys(&self, table: &DeTable<'_>) -> Vec<UnknownKey> {

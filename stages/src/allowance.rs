@@ -1,11 +1,12 @@
 //! Seam allowances as parameters of the stages that read and write patterns.
 
 use crate::codes::PIECE_UNKNOWN;
+use crate::drape::SETTING_UNUSED;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use toile_formats::allowance::{self, Allowance, CornerKind};
-use toile_formats::codes::EDGE_UNKNOWN;
+use toile_formats::codes::{EDGE_UNKNOWN, OUT_OF_RANGE};
 use toile_formats::dxf::geom;
 use toile_garment::units::Length;
 use toile_garment::{Diagnostic, Piece, Vec2};
@@ -69,6 +70,10 @@ pub fn add(
 /// Makes the cut lines. Notches of lines that are replaced go out to the new one.
 fn apply(params: &AllowanceParams, pieces: &mut [Piece], which: Which) -> Result<Vec<Diagnostic>, Vec<Diagnostic>> {
     let mut errors = unknown(params, pieces);
+    errors.extend(too_wide(params));
+    if !errors.is_empty() {
+        return Err(errors);
+    }
     let (mut findings, mut made) = (Vec::new(), Vec::new());
     let wanted = |p: &Piece| which == Which::All || p.cut_line.is_none();
     for (i, piece) in pieces.iter_mut().enumerate().filter(|(_, p)| wanted(p)) {
@@ -86,7 +91,20 @@ fn apply(params: &AllowanceParams, pieces: &mut [Piece], which: Which) -> Result
         }
     }
     allowance::even_sizes(pieces, &made);
+    if made.is_empty() && errors.is_empty() && !pieces.is_empty() {
+        let text = "`allowance` does nothing: every piece has a sew line of its own";
+        let hint = "leave it out; `allowance` of `export-dxf` makes all cut lines anew";
+        findings.push(Diagnostic::warning(SETTING_UNUSED, text).hint(hint));
+    }
     if errors.is_empty() { Ok(findings) } else { Err(errors) }
+}
+
+/// Widths that are none, also of pieces that need no cut line.
+fn too_wide(params: &AllowanceParams) -> Option<Diagnostic> {
+    let widths = std::iter::once(&params.width).chain(params.pieces.values()).chain(params.edges.values());
+    let wrong = widths.map(|w| w.0).find(|w| !(0.0..=allowance::WIDEST).contains(w))?;
+    let text = format!("an allowance of {} mm; it must be 0 to {} mm", wrong * 1e3, allowance::WIDEST * 1e3);
+    Some(Diagnostic::error(OUT_OF_RANGE, text))
 }
 
 fn of(params: &AllowanceParams, piece: &Piece) -> Allowance {

@@ -42,13 +42,14 @@ const fn set(code: &'static str, set: &'static str) -> Mistake {
 const SEWING: &str = "skirt.sewing.toml";
 
 /// Mistakes that do not touch each other, in the order of the way of the data.
-const MISTAKES: [Mistake; 15] = [
+const MISTAKES: [Mistake; 16] = [
     set("size-not-found", "import-dxf.size=39"),
     set("piece-not-found", "import-dxf.pieces=[\"FRNT\"]"),
     set("out-of-range", "import-dxf.gap=\"90 mm\""),
     set("layer-unknown", "import-dxf.layers={ CUT = \"77\" }"),
     set("file-missing", "import-dxf.rules=\"none.rul\""),
     set("unknown-key", "import-dxf.untis=\"mm\""),
+    set("unknown-input", "import-dxf.code_page=\"{page}\""),
     text("edge-unknown", SEWING, "a = \"FRONT.1\"", "a = \"FRONT.91\""),
     text("piece-unknown", SEWING, "[[place]]\npiece = \"BACK\"", "[[place]]\npiece = \"BAKC\""),
     text("attach-target-unknown", SEWING, "edge = 2\nto = \"waist\"", "edge = 2\nto = \"waits\""),

@@ -117,15 +117,23 @@ mod tests {
         for (name, value) in
             [("waist_girth", 0.088), ("hip_girth", 7.0), ("waist_height", 9.05), ("waist_height", 0.105)]
         {
-            let found = said(|b| drop(b.measures.insert(name.to_owned(), value)));
+            let found = said(|b| {
+                b.measures.insert(name.to_owned(), value);
+            });
             assert_eq!(found.len(), 1, "{found:?}");
             assert!(found[0].0 == Severity::Error && found[0].1.contains(name), "{found:?}");
         }
-        let wide = said(|b| drop(b.measures.insert("waist_girth".to_owned(), 1.2)));
+        let wide = said(|b| {
+            b.measures.insert("waist_girth".to_owned(), 1.2);
+        });
         assert!(wide.len() == 1 && wide[0].0 == Severity::Warning && wide[0].1.contains("on the mesh"), "{wide:?}");
-        let high = said(|b| drop(b.measures.insert("neck_height".to_owned(), 1.95)));
+        let high = said(|b| {
+            b.measures.insert("neck_height".to_owned(), 1.95);
+        });
         assert!(high.iter().any(|f| f.1.contains("is not on this body")), "{high:?}");
-        let beside = said(|b| drop(b.landmarks.insert("waist-front".to_owned(), Vec3::new(0.0, 0.0, 3.0))));
+        let beside = said(|b| {
+            b.landmarks.insert("waist-front".to_owned(), Vec3::new(0.0, 0.0, 3.0));
+        });
         assert!(beside.len() == 1 && beside[0].1.contains("`waist-front`"), "{beside:?}");
     }
 }

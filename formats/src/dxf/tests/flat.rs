@@ -135,7 +135,7 @@ fn a_frame_on_a_layer_of_its_own_can_be_left_out() {
 
 /// A text on layer 0 at a place.
 fn note(w: Writer, x: f64, y: f64, text: &str) -> Writer {
-    w.pair(0, "TEXT").pair(8, "0").xy(10, x, y).pair(1, text)
+    w.pair(0, "TEXT").pair(8, "0").xy(x, y).pair(1, text)
 }
 
 #[test]

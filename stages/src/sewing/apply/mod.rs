@@ -53,7 +53,7 @@ pub fn apply_deciding(
     names::edges(garment, is_copy, &mut errors);
     darts::declare(garment, is_copy, &[], report, &mut errors);
     folds::declare(garment, is_copy, &mut errors);
-    doubtful::set_aside(garment, &errors);
+    let doubts = doubtful::set_aside(garment, &errors);
     names::canonical(garment, &mut errors);
     errors.extend(contradictions::check(&garment.plan));
     for error in wrong_seams(garment, report) {
@@ -61,6 +61,7 @@ pub fn apply_deciding(
             errors.push(error);
         }
     }
+    doubts.set_lengths_aside(garment);
     if errors.is_empty() { Ok(()) } else { Err(StageError::Parameter(errors)) }
 }
 

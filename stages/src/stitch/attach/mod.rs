@@ -89,6 +89,7 @@ pub fn faults(garment: &Garment) -> Vec<Diagnostic> {
     let specs = &garment.plan.attachments;
     let (heights, mut found) = heights(garment);
     let mut known: Vec<(PieceId, usize, &AttachSpec)> = Vec::new();
+    let mut are_known = true;
     for spec in specs {
         let Some(piece) = garment.pieces.iter().find(|p| spec.piece.eq_ignore_ascii_case(&p.name)) else { continue };
         match edges_of_spec(garment, piece, spec) {
@@ -98,11 +99,11 @@ pub fn faults(garment: &Garment) -> Vec<Diagnostic> {
                 known.extend(edges.into_iter().map(|edge| (piece.id, edge, spec)));
             }
             // An edge that is not there is told where the sewing file is read.
-            Err(fault) if fault.code == EDGE_UNKNOWN => {}
+            Err(fault) if fault.code == EDGE_UNKNOWN => are_known = false,
             Err(fault) => found.push(fault.at(spec.source.clone())),
         }
     }
-    if found.is_empty() {
+    if found.is_empty() && are_known {
         found.extend(heights.iter().filter_map(|h| part_of_ring(garment, h)));
     }
     found
