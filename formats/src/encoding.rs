@@ -162,8 +162,12 @@ fn reads_as_western(bytes: &[u8]) -> bool {
     let is_letter =
         |b: &u8| matches!(b, 0xC0..=0xD6 | 0xD8..=0xF6 | 0xF8..=0xFF | 0x8A | 0x8C | 0x8E | 0x9A | 0x9C | 0x9E | 0x9F);
     let is_none = |b: &u8| matches!(b, 0x81 | 0x8D | 0x8F | 0x90 | 0x9D);
-    let mut rows = bytes.split(u8::is_ascii).filter(|row| !row.is_empty());
-    rows.all(|row| row.len() == 1 && !is_none(&row[0]) || row.len() <= WESTERN_ROW && row.iter().all(is_letter))
+    let is_word =
+        |row: &[u8]| row.len() == 1 && !is_none(&row[0]) || row.len() <= WESTERN_ROW && row.iter().all(is_letter);
+    // A row of letters stands in a word somewhere: `Größe`, and then `ÄÖ` may stand alone, too.
+    let joins = |pair: &[u8]| pair.iter().any(u8::is_ascii_alphabetic) && pair.iter().any(is_letter);
+    let rows = || bytes.split(u8::is_ascii).filter(|row| !row.is_empty());
+    rows().all(is_word) && (rows().all(|row| row.len() == 1) || bytes.windows(2).any(joins))
 }
 
 /// Most letters with accents in a row of a Western word.
@@ -334,6 +338,8 @@ mod tests {
             let read = choose(bytes, Some("AC1009"), Some("ANSI_1252"));
             assert_eq!((read.name().as_str(), read.guessed, read.decode(bytes).as_str()), (page, true, text));
         }
+        // A single Chinese letter in no Western word.
+        assert_eq!(choose(b"Piece Name: \xd3\xd2", None, Some("ANSI_1252")).name(), "gbk");
         let utf_8 = choose("Größe".as_bytes(), Some("AC1009"), Some("ANSI_1252"));
         assert_eq!((utf_8.name().as_str(), utf_8.guessed), ("utf-8", true));
     }

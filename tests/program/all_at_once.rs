@@ -58,7 +58,7 @@ const MISTAKES: [Mistake; 16] = [
     text("body-value", "body.toml", "waist_height = \"1050 mm\"", "waist_height = \"10500 mm\""),
     set("wrong-value", "triangulate.edge_length=\"20 qm\""),
     set("unknown-key", "stitch.claerance=\"2 mm\""),
-    set("max-ease", "assemble.max_ease=-1"),
+    set("max-ease", "assemble.max_ease=-3 %"),
 ];
 
 /// Errors of `check` with some of the mistakes: code, line and message.

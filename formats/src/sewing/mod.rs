@@ -85,6 +85,8 @@ pub fn read_sound_tables(text: &str, file: &str) -> (Option<SewingPlan>, Vec<Dia
     let is_named = walk.errors.is_empty();
     sewn(&mut top, &mut plan, &mut walk);
     top.finish(&mut walk);
+    // In the order of the file, whatever table was read first.
+    walk.errors.sort_by_key(|e| e.source.as_ref().map(|s| (s.line, s.column)));
     (is_named.then_some(plan), walk.errors)
 }
 

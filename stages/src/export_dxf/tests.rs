@@ -316,11 +316,11 @@ fn a_size_run_gets_the_allowance_in_every_size() {
         for size in &table.sizes {
             let (garment, _) = pattern.to_garment(Some(size), None).expect("size");
             for piece in &garment.pieces {
-                // The sew line keeps 10 mm from the cut line.
+                // The sew line keeps 10 mm from the cut line, whose vertices lie on the chords of its own curve.
                 let cut = piece.cut_line.as_ref().expect("cut line").positions();
                 let sew = piece.outline.positions();
                 let nearest = sew.iter().map(|p| dxf::geom::distance(*p, &cut, true)).fold(f64::INFINITY, f64::min);
-                assert!((nearest - 0.01).abs() < 2e-6, "{dialect} {size} {}: {nearest}", piece.name);
+                assert!((nearest - 0.01).abs() < 1e-5, "{dialect} {size} {}: {nearest}", piece.name);
             }
             let off = off_the_drawn_size(&pattern, &table, size);
             assert!(off <= 0.01, "{dialect} {size}: {off} mm");
