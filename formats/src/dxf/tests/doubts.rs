@@ -133,7 +133,7 @@ fn sizes_and_pieces_that_do_not_fit() {
         (
             base.replace("Sample Size: 38", "None"),
             block("FRONT_36", "FRONT", "36", &WEDGE),
-            vec!["sample-size-missing"],
+            vec!["entities-left-out", "sample-size-missing"],
         ),
         (base.clone(), block("BACK_36", "BACK", "36", &RECTANGLE), vec!["piece-lacks-size", "piece-lacks-size"]),
     ];
