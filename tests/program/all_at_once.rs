@@ -61,6 +61,16 @@ const MISTAKES: [Mistake; 16] = [
     set("max-ease", "assemble.max_ease=-3 %"),
 ];
 
+/// What is asked of a pattern file itself is looked at step by step: its table, how it is read, which pieces, which size.
+const ONE_BY_ONE: [&str; 5] = ["file-missing", "layer-unknown", "out-of-range", "piece-not-found", "size-not-found"];
+
+/// Does the first mistake keep the second from being seen, or the other way round? Without a body nobody knows its
+/// landmarks.
+fn is_read_later(first: &Mistake, second: &Mistake) -> bool {
+    let codes = [first.code, second.code];
+    codes.iter().all(|code| ONE_BY_ONE.contains(code)) || codes == ["attach-target-unknown", "body-value"]
+}
+
 /// Errors of `check` with some of the mistakes: code, line and message.
 fn errors(mistakes: &[&Mistake]) -> BTreeSet<(String, String)> {
     let bench = Bench::new();
@@ -97,6 +107,9 @@ fn no_mistake_hides_another() {
     let mut wrong = Vec::new();
     for (i, first) in MISTAKES.iter().enumerate() {
         for (k, second) in MISTAKES.iter().enumerate().skip(i + 1) {
+            if is_read_later(first, second) {
+                continue;
+            }
             let told = errors(&[first, second]);
             let wanted: BTreeSet<_> = alone[i].union(&alone[k]).cloned().collect();
             if told != wanted {
@@ -105,9 +118,10 @@ fn no_mistake_hides_another() {
         }
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
-    let all = errors(&MISTAKES.iter().collect::<Vec<_>>());
-    let wanted: BTreeSet<_> = alone.iter().flatten().cloned().collect();
-    assert_eq!(wanted.difference(&all).collect::<Vec<_>>(), [] as [&(String, String); 0], "{all:?}");
+    let together = |m: &&Mistake| !ONE_BY_ONE.contains(&m.code) && m.code != "body-value";
+    let all: Vec<&Mistake> = MISTAKES.iter().filter(together).collect();
+    let wanted: BTreeSet<_> = all.iter().flat_map(|m| errors(&[m])).collect();
+    assert_eq!(errors(&all), wanted);
 }
 
 #[test]
