@@ -22,7 +22,7 @@ const SIZE: [u32; 2] = [420, 600];
 
 /// The page.
 #[must_use]
-pub fn html(fitted: &Fitted, order: &Order) -> String {
+pub fn html(fitted: &Fitted, order: &Order, language: Language) -> String {
     let title = format!("Fitted to {}", escape(&order.body.file_name()));
     let mut out = format!(
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
@@ -30,28 +30,28 @@ pub fn html(fitted: &Fitted, order: &Order) -> String {
          <style>{STYLE}</style>\n</head>\n<body data-toile-fit=\"1\">\n<h1>{title}</h1>\n"
     );
     // Writing to a String cannot fail.
-    let _ = writeln!(out, "<p>{}</p>", verdict(fitted, order));
+    verdict(&mut out, fitted, order);
     pictures(&mut out, fitted);
     ease(&mut out, fitted, order);
-    if let Some(sheet) = flat_sheet(&fitted.flat, Language::English) {
+    if let Some(sheet) = flat_sheet(&fitted.flat, language) {
         let note = "Green: the new pattern. Dashed: the pattern before. Colours: strain of the new pattern on the moved garment.";
         let _ = writeln!(out, "<h2>Pattern</h2>\n<figure>{sheet}<figcaption>{note}</figcaption></figure>");
     }
     changes(&mut out, fitted);
-    out + "</body>\n</html>\n"
+    language.page(&(out + "</body>\n</html>\n"))
 }
 
-fn verdict(fitted: &Fitted, order: &Order) -> String {
+fn verdict(out: &mut String, fitted: &Fitted, order: &Order) {
     let within = 1e3 * order.within;
-    let off = fitted.levels.iter().map(|l| (l.asked - l.ease).abs()).fold(0.0, f64::max);
+    let off = 1e3 * fitted.levels.iter().map(|l| (l.asked - l.ease).abs()).fold(0.0, f64::max);
     let ease = if fitted.levels.iter().all(|l| is_reached(l, order)) {
-        format!("The ease is within {:.1} mm of what was asked for; {within:.1} mm are allowed.", 1e3 * off)
+        format!("The ease is within {off:.1} mm of what was asked for; {within:.1} mm are allowed.")
     } else {
-        format!("The ease is <b>not</b> as asked: {:.1} mm off, {within:.1} mm are allowed.", 1e3 * off)
+        format!("The ease is not as asked: {off:.1} mm off; {within:.1} mm are allowed.")
     };
-    let rounds = fitted.rounds.len();
     let drape = if fitted.passed { "The drape of the new pattern passed." } else { "See the findings of the run." };
-    format!("{ease} {drape} Rounds: {rounds}.")
+    // Writing to a String cannot fail.
+    let _ = writeln!(out, "<p>{ease}</p>\n<p>{drape}</p>\n<p>Rounds: {}</p>", fitted.rounds.len());
 }
 
 fn pictures(out: &mut String, fitted: &Fitted) {

@@ -5,6 +5,8 @@
 //! step is the one that should bring the missing ease. It is damped, because the ease scatters from drape to drape
 //! by a millimetre or two, and because two heights that are held to each other cannot both be served.
 
+use nalgebra::{DMatrix, DVector};
+
 /// Damping of a step, as a share of what a free height answers. Larger steps shorter, smaller follows the scatter.
 const DAMPING: f64 = 0.1;
 /// Changes that are smaller than this say more of the scatter than of the response, metres.
@@ -14,67 +16,43 @@ const LARGEST_STEP: f64 = 0.1;
 
 /// The response of the ease at all heights to what is added at each.
 pub struct Response {
-    /// `slope[i][k]`: the ease at height `i` for each metre added at height `k`.
-    slope: Vec<Vec<f64>>,
+    /// Entry `(i, k)`: the ease at height `i` for each metre added at height `k`.
+    slope: DMatrix<f64>,
     /// What was added in the round before, and the ease then.
-    last: Option<[Vec<f64>; 2]>,
+    last: Option<[DVector<f64>; 2]>,
 }
 
 impl Response {
     /// At first every height is taken to be free.
     pub fn new(levels: usize) -> Self {
-        let unit = |i: usize| (0..levels).map(|k| f64::from(u8::from(i == k))).collect();
-        Self { slope: (0..levels).map(unit).collect(), last: None }
+        Self { slope: DMatrix::identity(levels, levels), last: None }
     }
 
     /// Learns from a round: what was added, and the ease that was measured, metres; no number where it was not.
     pub fn learn(&mut self, added: &[f64], ease: &[f64]) {
-        let Some([before, was]) = self.last.replace([added.to_vec(), ease.to_vec()]) else { return };
-        let change = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a - b).collect::<Vec<f64>>();
-        let (step, answer) = (change(added, &before), change(ease, &was));
-        let square = product(&step, &step);
+        let now = [added, ease].map(DVector::from_column_slice);
+        let Some([before, was]) = self.last.replace(now.clone()) else { return };
+        let [added, ease] = now;
+        let (step, answer) = (added - before, ease - was);
+        let square = step.norm_squared();
         if square <= SCATTER * SCATTER {
             return;
         }
-        for (row, answer) in self.slope.iter_mut().zip(answer).filter(|(_, answer)| answer.is_finite()) {
-            let off = (answer - product(row, &step)) / square;
-            row.iter_mut().zip(&step).for_each(|(slope, step)| *slope += off * step);
-        }
+        let mut off = (answer - &self.slope * &step) / square;
+        off.iter_mut().filter(|o| !o.is_finite()).for_each(|o| *o = 0.0);
+        self.slope += off * step.transpose();
     }
 
     /// What to add next, so that the missing ease comes, metres: least squares with damping.
     pub fn step(&self, missing: &[f64]) -> Vec<f64> {
         let n = missing.len();
-        let column = |k: usize| self.slope.iter().map(|row| row[k]).collect::<Vec<f64>>();
-        let columns: Vec<Vec<f64>> = (0..n).map(column).collect();
-        let mut square: Vec<Vec<f64>> =
-            columns.iter().map(|a| columns.iter().map(|b| product(a, b)).collect()).collect();
-        (0..n).for_each(|k| square[k][k] += DAMPING * DAMPING);
-        let wanted = columns.iter().map(|c| product(c, missing)).collect();
-        solved(square, wanted).into_iter().map(|s| s.clamp(-LARGEST_STEP, LARGEST_STEP)).collect()
+        let back = self.slope.transpose();
+        let square = &back * &self.slope + DMatrix::identity(n, n) * (DAMPING * DAMPING);
+        let wanted = back * DVector::from_column_slice(missing);
+        // The damping makes the matrix positive.
+        let step = square.cholesky().map_or_else(|| DVector::zeros(n), |c| c.solve(&wanted));
+        step.iter().map(|s| s.clamp(-LARGEST_STEP, LARGEST_STEP)).collect()
     }
-}
-
-fn product(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
-}
-
-/// Solves a small system with a positive symmetric matrix.
-fn solved(mut matrix: Vec<Vec<f64>>, mut wanted: Vec<f64>) -> Vec<f64> {
-    let n = wanted.len();
-    for k in 0..n {
-        for i in k + 1..n {
-            let share = matrix[i][k] / matrix[k][k];
-            let row = matrix[k].clone();
-            matrix[i].iter_mut().zip(row).for_each(|(a, b)| *a -= share * b);
-            wanted[i] -= share * wanted[k];
-        }
-    }
-    for k in (0..n).rev() {
-        let known: f64 = (k + 1..n).map(|j| matrix[k][j] * wanted[j]).sum();
-        wanted[k] = (wanted[k] - known) / matrix[k][k];
-    }
-    wanted
 }
 
 #[cfg(test)]

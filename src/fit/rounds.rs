@@ -58,6 +58,10 @@ pub fn fit(
         if off <= order.within || rounds.len() == order.rounds as usize {
             break;
         }
+        // Where no height is followed any more, a further round would sew the same pattern again.
+        if levels.iter().all(|l| !l.is_followed) {
+            break;
+        }
         let missing: Vec<f64> = levels.iter().map(|l| if l.is_followed { l.asked - l.ease } else { 0.0 }).collect();
         for (level, step) in levels.iter().zip(response.step(&missing)).filter(|(l, _)| l.is_followed) {
             *add.entry(level.name.clone()).or_default() += step;

@@ -110,6 +110,8 @@ pub enum CheckKind {
     Symmetry,
     /// Turn of the grain line, radians.
     Grain,
+    /// Places where its outline crosses itself, up to 100.
+    Overlap,
 }
 
 /// The largest change of one kind on a piece.
@@ -160,6 +162,7 @@ impl Check {
             CheckKind::Symmetry if place.is_empty() => format!("{size:.2} mm off its own mirror image"),
             CheckKind::Symmetry => format!("{size:.2} mm off the mirror image of `{place}`"),
             CheckKind::Grain => format!("grain turned by {degrees:+.2}°"),
+            CheckKind::Overlap => format!("its outline crosses itself at {:.0} places", self.value),
         }
     }
 }

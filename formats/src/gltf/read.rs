@@ -244,7 +244,7 @@ fn mesh_of<'p>(piece: &Piece, placed: &'p [Placed]) -> Result<&'p Placed, String
             (None, _) => {}
         }
     }
-    Err("no node of the file has its name".to_owned())
+    Err("no node of the file has its name; keep every piece an object of its own, under its name".to_owned())
 }
 
 /// Vertices matched by where they lie on the cloth.

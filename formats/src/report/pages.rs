@@ -4,6 +4,39 @@
 
 /// Words of other pages in English and in Chinese; `{0}`, `{1}` stand for values.
 pub const PAGES: &[(&str, &str)] = &[
+    // Fittings.
+    ("Fitted to {0}", "适合 {0}"),
+    (
+        "The ease is within {0} mm of what was asked for; {1} mm are allowed.",
+        "松量与要求相差不超过 {0} mm；允许 {1} mm。",
+    ),
+    ("The ease is not as asked: {0} mm off; {1} mm are allowed.", "松量与要求不符：相差 {0} mm；允许 {1} mm。"),
+    ("The drape of the new pattern passed.", "新纸样的悬垂通过检验。"),
+    ("See the findings of the run.", "请看运行的提示。"),
+    ("Rounds: {0}", "轮数：{0}"),
+    ("the garment, {0}", "服装，{0}"),
+    ("own body", "原人体"),
+    ("own ease", "原松量"),
+    ("asked", "要求"),
+    ("reached", "达到"),
+    ("Ease", "松量"),
+    ("Hem above the floor", "下摆离地高度"),
+    ("left side", "左侧"),
+    ("right side", "右侧"),
+    ("Changes of the pattern", "纸样的改变"),
+    ("Nothing changes.", "没有改变。"),
+    (
+        "Green: the new pattern. Dashed: the pattern before. Colours: strain of the new pattern on the moved garment.",
+        "绿色：新纸样。虚线：原纸样。颜色：新纸样在移到人体上的服装中的应变。",
+    ),
+    ("width at the {0}", "{0}处的宽度"),
+    ("length at the middle", "中线处的长度"),
+    ("length of {0}", "{0} 的长度"),
+    ("length of {0} ({1})", "{0} 的长度（{1}）"),
+    ("intake of {0}", "{0} 的省量"),
+    ("lower edge", "下边"),
+    ("upper edge", "上边"),
+    ("at the {0}", "在{0}"),
     // Studies.
     ("toile {0}, {1} threads. Lengths in millimetres.", "toile {0}，{1} 线程。长度单位为毫米。"),
     ("toile {0}, {1} threads", "toile {0}，{1} 线程"),

@@ -1,6 +1,6 @@
 //! Options of `toile fit`.
 
-use super::super::args::PipelineArgs;
+use super::super::args::{PageLanguage, PipelineArgs};
 use clap::Args;
 use std::path::PathBuf;
 
@@ -34,6 +34,9 @@ pub struct FitArgs {
     /// Working folder: pattern, sewing file, body, fabric, pipeline, and the page fit.html.
     #[arg(long, value_name = "DIR")]
     pub out: PathBuf,
+    /// Language of the page: en or zh.
+    #[arg(long, value_enum, default_value = "en", hide_possible_values = true)]
+    pub language: PageLanguage,
     /// Threads [default: all cores, or TOILE_THREADS]; results never depend on it.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub threads: Option<u16>,

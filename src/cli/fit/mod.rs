@@ -50,7 +50,7 @@ fn fitted(args: &FitArgs, registry: &mut Registry, stop: &Arc<Stop>, console: &m
     })?;
     let json = fit::json(&fitted, &order);
     let text = serde_json::to_string_pretty(&json).unwrap_or_default() + "\n";
-    let files = [(JSON_NAME, text), (PAGE_NAME, fit::html(&fitted, &order))];
+    let files = [(JSON_NAME, text), (PAGE_NAME, fit::html(&fitted, &order, args.language.language()))];
     for (name, text) in &files {
         fit::put(&args.out.join(name), text.as_bytes())?;
     }

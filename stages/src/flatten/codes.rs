@@ -19,11 +19,17 @@ codes! {
     /// message has the intake that it would have else, too.
     FLATTEN_DART_KEPT = "flatten-dart-kept";
 
+    /// The shape asks for a dart with less than no intake, whose legs would overlap. It was held open by a little.
+    FLATTEN_DART_OVERLAPS = "flatten-dart-overlaps";
+
     /// Straight edges, right angles or pleats were held, which the flattening would have changed. The message says by how much.
     FLATTEN_HELD = "flatten-held";
 
     /// Straight edges or right angles changed too much to be held: the shape asks for it.
     FLATTEN_LET_GO = "flatten-let-go";
+
+    /// The edit mirrored the whole shape. Lengths stay the same, so the pieces come back as they were.
+    FLATTEN_MIRRORED = "flatten-mirrored";
 
     /// The solve ended before it came to rest. The pieces are the best that it had. The message says how far a vertex still
     /// moved.
@@ -41,6 +47,9 @@ codes! {
 
     /// A piece changed by more than the tolerance that was given.
     FLATTEN_OUT_OF_TOLERANCE = "flatten-out-of-tolerance";
+
+    /// The outline of a flat piece crosses itself, so that it cannot be cut.
+    FLATTEN_OVERLAP = "flatten-overlap";
 
     /// A parameter of `flatten` is outside its range. Exit code 2.
     FLATTEN_PARAMETER = "flatten-parameter";

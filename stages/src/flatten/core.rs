@@ -1,6 +1,7 @@
 //! From the garment to the sheet and back.
 
 use super::align::Rigid;
+use super::dart_strain::HeldDart;
 use super::energy::{EdgePair, Triangle};
 use super::features::{self, Features};
 use super::lock::Lock;
@@ -8,9 +9,9 @@ use super::params::{FlattenParams, LockKind, MetricChoice};
 use super::point_location::PointLocation;
 use super::sewn::{self, MeshEdges, Station};
 use super::solve::{Flattened, Sheet, SolveError, Stop, solve};
-use super::source::{Source, bad_triangle, sources};
+use super::source::{Source, bad_triangle, is_mirrored, sources};
 use super::wanted::{REFINEMENTS, Wanted};
-use super::{dart_strain, figures, findings, held_lines, pleats, symmetry};
+use super::{dart_strain, figures, findings, held_lines, overlaps, pleats, symmetry};
 use nalgebra::Matrix2;
 use toile_garment::flat::{Flat, FlatMetric, FlatPiece};
 use toile_garment::{Garment, MeshVertex, Report, Vec2};
@@ -35,6 +36,9 @@ pub fn flatten_garment(
     let metric = metric_of(garment, params.metric);
     let sources = sources(garment)?;
     findings::metric(garment, metric, report);
+    if is_mirrored(&sources) {
+        report.push(findings::mirrored());
+    }
     let edges = MeshEdges::of(garment);
     let (before, now): (Vec<_>, Vec<_>) = sources.iter().map(|s| (s.before, s.surface)).unzip();
     let alike = |s: &Station| sewn::alike(s, &before, &now);
@@ -44,7 +48,7 @@ pub fn flatten_garment(
     }
     let stiffness = if params.locks(LockKind::Seams) { params.pair_stiffness } else { 0.0 };
     let pairs = pairs(&sources, &stations, stiffness);
-    let start = sources.iter().flat_map(|s| s.mesh.rest.iter().copied()).collect();
+    let start = stored(&sources);
     let mut fit = fitted(&sources, metric, Sheet { start, pairs, ..Sheet::default() }, params, watch)?;
     let features: Vec<Features> = sources.iter().map(|s| features::of(garment, s.piece, s.mesh)).collect();
     hold(garment, &sources, &features, metric, &mut fit, params, report, watch)?;
@@ -64,6 +68,7 @@ pub fn flatten_garment(
         .collect();
     for (source, flat) in sources.iter().zip(&pieces) {
         findings::developable(source.piece, source.mesh, flat, params.strain_limit.0, report);
+        findings::overlapping(source.piece, &overlaps::find(source.mesh, &flat.positions), report);
     }
     let rest: Vec<&[Vec2]> = sources.iter().map(|s| s.mesh.rest.as_slice()).collect();
     let flat: Vec<&[Vec2]> = pieces.iter().map(|p| p.positions.as_slice()).collect();
@@ -140,6 +145,11 @@ fn run(sheet: &Sheet, params: &FlattenParams, watch: &mut Watch<'_>) -> Result<F
     solve(sheet, stop, watch).map_err(failure)
 }
 
+/// Positions of all stored pieces.
+pub fn stored(sources: &[Source<'_>]) -> Vec<Vec2> {
+    sources.iter().flat_map(|s| s.mesh.rest.iter().copied()).collect()
+}
+
 /// Solves once more with what is locked, where the free answer would change it.
 #[allow(clippy::too_many_arguments, reason = "all of it is the state of one flattening")]
 fn hold(
@@ -166,7 +176,9 @@ fn hold(
     if locks.is_empty() {
         return Ok(());
     }
-    fit.sheet.start = free;
+    // A gap is held by its size, so the solve begins where no legs overlap.
+    let overlap = darts.iter().any(HeldDart::overlaps);
+    fit.sheet.start = if overlap { stored(sources) } else { free };
     fit.sheet.locks = locks;
     let again = run(&fit.sheet, params, watch)?;
     fit.solved = Flattened { rounds: again.rounds.saturating_add(fit.solved.rounds), ..again };

@@ -6,8 +6,11 @@
 //!
 //! A dart that an edit did not touch keeps its stored intake: what the cloth beside its legs is cut to has not changed.
 //! The free answer turns it all the same, because it spreads the strain of an edit elsewhere over the whole piece.
+//!
+//! A shape may ask for less than no intake. Then the legs of the free answer overlap, and no cloth can be cut so. Such a
+//! dart is held open by a little.
 
-use super::core::{Watch, fitted};
+use super::core::{Watch, fitted, stored};
 use super::features::{ChainPair, Features};
 use super::findings;
 use super::lock::Lock;
@@ -24,8 +27,11 @@ const INTAKE_UNTOUCHED: f64 = 1e-5;
 /// Change of the squared length of an edge that is rounding, as a share.
 const SAME_LENGTH: f64 = 1e-4;
 
+/// Intake of a dart whose legs would overlap, metres. It is less than is ever sewn, and enough to be cut and read.
+const OPEN: f64 = 2e-3;
+
 /// Why a dart is held.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Reason {
     /// Darts are locked, whatever the edit.
     Locked,
@@ -33,6 +39,8 @@ pub enum Reason {
     Strain,
     /// The edit did not touch it.
     Untouched,
+    /// Its legs would overlap, by so much, metres.
+    Overlap(f64),
 }
 
 /// A dart that is held.
@@ -43,11 +51,18 @@ pub struct HeldDart<'a> {
     /// Intake of the stored piece, and of the free answer, metres.
     intake: [f64; 2],
     reason: Reason,
+    /// By how much its legs overlap in the free answer, metres.
+    overlap: f64,
     /// The terms that hold it.
     pub locks: Vec<Lock>,
 }
 
 impl HeldDart<'_> {
+    /// Do its legs overlap in the free answer?
+    pub fn overlaps(&self) -> bool {
+        self.overlap > INTAKE_UNTOUCHED
+    }
+
     /// Reports the dart with its intakes.
     pub fn tell(&self, x: &[Vec2], report: &mut Report) {
         let kept = (x[self.mouths[1]] - x[self.mouths[0]]).norm();
@@ -75,10 +90,10 @@ pub fn find<'a>(
     let strain_is_known = garment.certificate.is_some() || edited;
     let is_told_apart = metric == FlatMetric::Surface && strain_is_known;
     let is_carried = metric == FlatMetric::Carried && edited;
-    if features.iter().all(|f| f.darts.is_empty()) || !(is_locked || is_told_apart || is_carried) {
+    if features.iter().all(|f| f.darts.is_empty()) {
         return Ok(Vec::new());
     }
-    let stored: Vec<Vec2> = sources.iter().flat_map(|s| s.mesh.rest.iter().copied()).collect();
+    let stored = stored(sources);
     let asked = if is_told_apart && edited && !is_locked {
         let start = Sheet { start: stored.clone(), pairs: sheet.pairs.clone(), ..Sheet::default() };
         fitted(sources, FlatMetric::Carried, start, params, watch)?.solved.positions
@@ -89,14 +104,20 @@ pub fn find<'a>(
     for (source, features) in sources.iter().zip(features) {
         for dart in &features.darts {
             let Some(mouths) = mouths(source, dart) else { continue };
+            let stations = stations(source, dart, &stored);
+            let intake = |x: &[Vec2]| stations.first().map_or(0.0, |s| s.gap(x));
+            let overlap = stations.iter().map(|s| -s.gap(free)).fold(0.0, f64::max);
             let reason = match () {
                 () if is_locked => Reason::Locked,
                 () if is_told_apart => Reason::Strain,
-                () if is_untouched(source, dart) => Reason::Untouched,
+                () if is_carried && is_untouched(source, dart) => Reason::Untouched,
+                () if overlap > INTAKE_UNTOUCHED => Reason::Overlap(overlap),
                 () => continue,
             };
-            let intake = |x: &[Vec2]| (x[mouths[1]] - x[mouths[0]]).norm();
-            if (intake(free) - intake(&asked)).abs() < INTAKE_UNTOUCHED {
+            let is_open = matches!(reason, Reason::Overlap(_));
+            let held = if is_open { free } else { &asked };
+            let locks = gaps(&stations, held, params.pair_stiffness);
+            if !is_open && (intake(free) - intake(&asked)).abs() < INTAKE_UNTOUCHED {
                 continue;
             }
             out.push(HeldDart {
@@ -105,7 +126,8 @@ pub fn find<'a>(
                 mouths,
                 intake: [intake(&stored), intake(free)],
                 reason,
-                locks: gaps(source, dart, &asked, params.pair_stiffness),
+                overlap,
+                locks,
             });
         }
     }
@@ -129,15 +151,44 @@ fn mouths(source: &Source<'_>, dart: &ChainPair) -> Option<[usize; 2]> {
     Some([at(&dart.a)?, at(&dart.b)?])
 }
 
+/// Two vertices of a dart that are sewn to each other.
+struct Station {
+    /// The apex, and the vertices on both legs.
+    v: [u32; 3],
+    /// The gap in the stored piece, metres. It is counted against its side, so that it is over 0.
+    stored: f64,
+    /// Which side the second leg lies on: 1 or −1.
+    side: f64,
+    /// Least gap that can be cut, metres.
+    least: f64,
+}
+
+impl Station {
+    /// The gap between the legs, metres; below 0 where they overlap.
+    fn gap(&self, x: &[Vec2]) -> f64 {
+        let [apex, a, b] = self.v.map(|v| x[v as usize]);
+        (b - a).norm().copysign(self.side * (a - apex).perp(&(b - apex)))
+    }
+}
+
+/// The stations of a dart from its mouth on. A least gap shrinks towards the apex as the stored one does.
+fn stations(source: &Source<'_>, dart: &ChainPair, stored: &[Vec2]) -> Vec<Station> {
+    let Some(apex) = dart.a.last() else { return Vec::new() };
+    let station = |(a, b): (&u32, &u32)| {
+        let v = [*apex, *a, *b].map(|v| v + source.offset);
+        let [p, a, b] = v.map(|v| stored[v as usize]);
+        let side = 1f64.copysign((a - p).perp(&(b - p)));
+        Station { v, stored: (b - a).norm(), side, least: 0.0 }
+    };
+    let mut out: Vec<Station> = dart.a.iter().zip(&dart.b).filter(|(a, b)| a != b).map(station).collect();
+    let mouth = out.first().map_or(0.0, |s| s.stored);
+    out.iter_mut().for_each(|s| s.least = s.stored * (OPEN / mouth.max(OPEN)));
+    out
+}
+
 /// The gap between the legs at every station.
-fn gaps(source: &Source<'_>, dart: &ChainPair, asked: &[Vec2], stiffness: f64) -> Vec<Lock> {
-    let pairs = dart.a.iter().zip(&dart.b).filter(|(a, b)| a != b);
-    pairs
-        .map(|(a, b)| {
-            let v = [*a + source.offset, *b + source.offset];
-            let length = (asked[v[1] as usize] - asked[v[0] as usize]).norm();
-            Lock::Distance { v, length, stiffness }
-        })
-        .filter(|l| !matches!(l, Lock::Distance { length, .. } if *length < 1e-6))
-        .collect()
+fn gaps(stations: &[Station], asked: &[Vec2], stiffness: f64) -> Vec<Lock> {
+    let lock = |s: &Station| Lock::Distance { v: [s.v[1], s.v[2]], length: s.gap(asked).max(s.least), stiffness };
+    let is_one = |l: &Lock| !matches!(l, Lock::Distance { length, .. } if *length < 1e-6);
+    stations.iter().map(lock).filter(is_one).collect()
 }

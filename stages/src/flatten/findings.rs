@@ -6,7 +6,7 @@ use super::{advice, codes};
 use toile_garment::flat::{FlatMetric, FlatPiece};
 use toile_garment::mesh::PieceMesh;
 use toile_garment::seam::Seam;
-use toile_garment::{Diagnostic, Garment, Piece, Report};
+use toile_garment::{Diagnostic, Garment, Piece, Report, Vec2};
 
 /// Which lengths were asked for, and what that proves.
 pub fn metric(garment: &Garment, metric: FlatMetric, report: &mut Report) {
@@ -34,6 +34,13 @@ pub fn metric(garment: &Garment, metric: FlatMetric, report: &mut Report) {
             .hint("run `drape` until its certificate passes"),
         );
     }
+}
+
+/// The edit mirrored the whole shape.
+pub fn mirrored() -> Diagnostic {
+    let what = "the edited shape is the mirror image of the drape: its lengths do not tell so, and the pieces are not mirrored";
+    Diagnostic::warning(codes::FLATTEN_MIRRORED, what)
+        .hint("undo the mirroring in the editor, and turn the pieces over where you cut them")
 }
 
 /// One side of a seam was edited and the other was not.
@@ -138,6 +145,16 @@ pub fn held_dart(piece: &Piece, name: &str, [stored, free]: [f64; 2], kept: f64,
             "{place}: the worn surface alone gives {free:.2} mm of intake, which is the strain of the cloth; the shape \
              asks for {kept:.2} mm (stored {stored:.2} mm), and that is what the dart has"
         ),
+        Reason::Overlap(by) => {
+            let what = format!(
+                "{place}: the shape asks for less than no intake, so that its legs would overlap by {:.2} mm; it was held \
+                 open, with an intake of {kept:.2} mm (stored {stored:.2} mm)",
+                1e3 * by
+            );
+            return Diagnostic::warning(codes::FLATTEN_DART_OVERLAPS, what)
+                .at(piece.source.clone())
+                .hint("leave the dart out of the pattern, and take the rest in at a seam nearby");
+        }
     };
     Diagnostic::info(codes::FLATTEN_DART_KEPT, what).at(piece.source.clone())
 }
@@ -203,4 +220,21 @@ pub fn developable(piece: &Piece, mesh: &PieceMesh, flat: &FlatPiece, limit: f64
     );
     let cure = advice::cure(piece, mesh, flat);
     report.push(Diagnostic::warning(codes::PIECE_NOT_DEVELOPABLE, what).at(piece.source.clone()).hint(cure));
+}
+
+/// The outline of a piece goes through itself at these places of the flat piece.
+pub fn overlapping(piece: &Piece, places: &[Vec2], report: &mut Report) {
+    let Some(first) = places.first() else { return };
+    let what = format!(
+        "piece `{}`: its flat outline crosses itself at {} places, first at ({:.1}, {:.1}) mm, so that it cannot be cut",
+        piece.name,
+        places.len(),
+        1e3 * first.x,
+        1e3 * first.y
+    );
+    report.push(
+        Diagnostic::warning(codes::FLATTEN_OVERLAP, what)
+            .at(piece.source.clone())
+            .hint("cut the piece apart along a line, or change the shape less"),
+    );
 }

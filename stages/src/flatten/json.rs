@@ -45,6 +45,7 @@ fn verdict(v: &PieceVerdict) -> Value {
         let (key, unit) = match c.kind {
             CheckKind::Area => ("pct", 100.0),
             CheckKind::Corner | CheckKind::Grain => ("deg", 1f64.to_degrees()),
+            CheckKind::Overlap => ("count", 1.0),
             _ => ("mm", 1e3),
         };
         let mut told = json!({ "kind": c.kind, "place": c.place, "passes": c.passes(), "words": c.words() });

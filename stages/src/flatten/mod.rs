@@ -21,6 +21,7 @@ mod json;
 pub mod lock;
 pub mod metric;
 pub mod mirror;
+pub mod overlaps;
 mod params;
 pub mod pleats;
 pub mod point_location;

@@ -5,7 +5,7 @@
 //! that lets roughness pass and shape not. Known unit roughness goes through the same filter and says how much passes.
 
 use super::blur::Blur;
-use super::metric::edges3;
+use super::metric::{edges3, sqrt_spd};
 use super::source::Source;
 use super::system::SystemError;
 use nalgebra::{Matrix2, Matrix3x2};
@@ -19,6 +19,21 @@ type Gradient = Vec<Matrix3x2<f64>>;
 /// Width of the smoothing of an edit, in sizes of the roughness. Larger takes real edits for roughness.
 const EDIT_WIDTH: f64 = 10.0;
 
+/// Width of the smoothing of a scan's frames, in mean mesh edges, from which on they are used. A smaller width lies far
+/// inside the triangles around a vertex, and the roughness is too small beside them to matter.
+const FRAME_FROM: f64 = 0.5;
+
+/// What is known of a surface.
+#[derive(Clone, Copy, Debug)]
+pub enum Surface<'a> {
+    /// Nothing else.
+    Scan,
+    /// The shape before the edit that made it.
+    Edited(&'a [Vec3]),
+    /// It was edited afterwards.
+    Before,
+}
+
 /// The metric of a surface over the stored piece, smoothed by `blur`.
 ///
 /// The square of the roughness is averaged, so what is left of it grows with the fineness of the mesh. Where the shape
@@ -29,12 +44,15 @@ const EDIT_WIDTH: f64 = 10.0;
 /// a mesh edge of a real edit for roughness. Where the length of cloth is shorter than the mean mesh edge, and without
 /// roughness, the edit stays as it is. (Smoothed all the same, a clean edit on edges of 8 mm lost 0.1° of a dart.)
 ///
+/// A scan has no shape before. Its stretch is read in a smooth frame instead: roughness then counts once and not squared,
+/// and its average is none. A frame that is off by an angle costs the square of it, and only near the tip of a dart.
+///
 /// # Errors
 /// When memory runs out.
 pub fn smooth_metric(
     source: &Source<'_>,
     surface: &[Vec3],
-    before: Option<&[Vec3]>,
+    kind: Surface<'_>,
     blur: &mut Blur,
 ) -> Result<Vec<Matrix2<f64>>, SystemError> {
     let (rest, triangles) = (&source.mesh.rest, &source.mesh.triangles);
@@ -46,7 +64,16 @@ pub fn smooth_metric(
     let mut gradient = of(surface);
     let mut variance = gauge.variance(&gradient);
     let width = EDIT_WIDTH * libm::sqrt(variance);
-    if let Some(before) = before.map(of).filter(|_| width >= edge) {
+    if matches!(kind, Surface::Scan) && width >= FRAME_FROM * edge {
+        let mut near = Blur::new(rest, triangles, width)?;
+        let soft = softened(&softened(&gradient, &mut near), &mut near);
+        let stretch: Vec<Matrix2<f64>> = gradient.iter().zip(&soft).map(|(f, soft)| along(soft, f)).collect();
+        return Ok(blur.tensors(&stretch).iter().map(|s| s * s).collect());
+    }
+    if let Surface::Edited(before) = kind
+        && width >= edge
+    {
+        let before = of(before);
         let edit: Gradient = gradient.iter().zip(&before).map(|(now, before)| now - before).collect();
         let soft = softened(&edit, &mut Blur::new(rest, triangles, width)?);
         gradient = before.iter().zip(&soft).map(|(before, edit)| before + edit).collect();
@@ -56,6 +83,13 @@ pub fn smooth_metric(
     let metric: Vec<Matrix2<f64>> =
         gradient.iter().zip(&inverse).map(|(f, i)| f.transpose() * f - i.transpose() * added * i).collect();
     Ok(blur.tensors(&metric))
+}
+
+/// The stretch of a gradient in the frame of a smooth one.
+fn along(smooth: &Matrix3x2<f64>, f: &Matrix3x2<f64>) -> Matrix2<f64> {
+    let frame = smooth * sqrt_spd(&(smooth.transpose() * smooth)).try_inverse().unwrap_or_default();
+    let in_frame = frame.transpose() * f;
+    (in_frame + in_frame.transpose()) * 0.5
 }
 
 /// Measures roughness by a filter.

@@ -2,10 +2,13 @@
 
 use super::codes;
 use super::metric::edges2;
-use nalgebra::Matrix2;
+use nalgebra::{Matrix2, Matrix3};
 use toile_garment::mesh::PieceMesh;
 use toile_garment::{Diagnostic, Garment, Piece, Vec2, Vec3};
 use toile_stage_api::StageError;
+
+/// Determinant of a covariance, as a share of its size, below which a shape lies in a plane.
+const FLAT: f64 = 1e-9;
 
 /// A piece, its mesh and its surfaces.
 pub struct Source<'a> {
@@ -32,6 +35,17 @@ impl Source<'_> {
         let from = self.offset as usize;
         &x[from..from + self.mesh.rest.len()]
     }
+}
+
+/// Did an edit turn the shape into its mirror image? The covariance of all places before and after it tells.
+pub fn is_mirrored(sources: &[Source<'_>]) -> bool {
+    let pairs = || sources.iter().flat_map(|s| s.before.iter().zip(s.surface));
+    let count = pairs().count().max(1) as f64;
+    let [before, now] = pairs().fold([Vec3::zeros(); 2], |[b, n], (p, q)| [b + p / count, n + q / count]);
+    let covariance: Matrix3<f64> = pairs().map(|(p, q)| (p - before) * (q - now).transpose()).sum();
+    // A shape in one plane has no handedness.
+    let size = covariance.norm() / 3f64.sqrt();
+    covariance.determinant() < -FLAT * size * size * size
 }
 
 /// The pieces of a garment that can be flattened.

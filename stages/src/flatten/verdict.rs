@@ -6,7 +6,7 @@ use super::params::FlattenTolerance;
 use super::seam_stations::{Beside, beside};
 use super::sewn::MeshEdges;
 use super::source::{Source, sources};
-use super::symmetry;
+use super::{overlaps, symmetry};
 use toile_garment::flat::{Check, CheckKind, Flat, FlatMetric, FlatPiece, PieceVerdict};
 use toile_garment::seam::SeamKind;
 use toile_garment::{Garment, PieceId, Vec2};
@@ -35,6 +35,7 @@ fn limit(kind: CheckKind, t: &FlattenTolerance) -> Option<f64> {
         CheckKind::Bow => t.bow.map(|l| l.0),
         CheckKind::Symmetry => t.symmetry.map(|l| l.0),
         CheckKind::Grain => t.grain.map(|a| a.0),
+        CheckKind::Overlap => Some(0.0),
     }
 }
 
@@ -101,6 +102,8 @@ fn own(source: &Source<'_>, features: &Features, flat: &FlatPiece) -> Vec<Check>
     let corners = corner_angles(rest, features, [rest, new]).into_iter();
     out.extend(corners.map(|(name, [before, after])| check(CheckKind::Corner, &name, after - before)));
     out.push(check(CheckKind::Grain, "", flat.grain_shift));
+    let crossings = overlaps::find(source.mesh, new).len();
+    out.extend((crossings > 0).then(|| check(CheckKind::Overlap, "", crossings as f64)));
     out
 }
 

@@ -5,7 +5,7 @@
 
 use super::blur::Blur;
 use super::metric::{carried, cauchy_green, edges2, edges3, sqrt_spd};
-use super::roughness::smooth_metric;
+use super::roughness::{Surface, smooth_metric};
 use super::source::{Source, bad_triangle};
 use super::system::SystemError;
 use nalgebra::Matrix2;
@@ -111,10 +111,11 @@ fn blurred(source: &Source<'_>, metric: FlatMetric, smooth: f64) -> Result<Wante
     let (rest, triangles) = (&source.mesh.rest, &source.mesh.triangles);
     let mut blur = Blur::new(rest, triangles, WIDTH_SHARE * smooth)?;
     let is_edited = source.before != source.surface;
-    let now = smooth_metric(source, source.surface, is_edited.then_some(source.before), &mut blur)?;
+    let kind = if is_edited { Surface::Edited(source.before) } else { Surface::Scan };
+    let now = smooth_metric(source, source.surface, kind, &mut blur)?;
     let wanted = match metric {
         FlatMetric::Carried if is_edited => {
-            let before = smooth_metric(source, source.before, None, &mut blur)?;
+            let before = smooth_metric(source, source.before, Surface::Before, &mut blur)?;
             let edit = |(b, n)| carried(b, n).map_or(*n, |h| h.transpose() * h);
             before.iter().zip(&now).map(edit).collect()
         }

@@ -72,7 +72,7 @@ fn side(a: Vec2, b: Vec2, p: Vec2) -> f64 {
 }
 
 /// Where two segments cross or touch, decided exactly.
-fn meet(s: &Segment, t: &Segment) -> Option<Vec2> {
+pub fn meet(s: &Segment, t: &Segment) -> Option<Vec2> {
     let (ta, tb) = (side(s.a, s.b, t.a), side(s.a, s.b, t.b));
     let (sa, sb) = (side(t.a, t.b, s.a), side(t.a, t.b, s.b));
     if ta * tb > 0.0 || sa * sb > 0.0 || (ta > 0.0) == (tb > 0.0) && ta != 0.0 && tb != 0.0 {

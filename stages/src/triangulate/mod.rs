@@ -9,7 +9,7 @@ mod cdt;
 mod check;
 pub(crate) mod codes;
 mod counts;
-mod crossing;
+pub(crate) mod crossing;
 mod curve;
 mod edge_use;
 mod forecast;

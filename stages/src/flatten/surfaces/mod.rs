@@ -231,6 +231,21 @@ fn noise_of_a_scan_stays_small_on_any_mesh_and_over_any_length() {
     assert!(all.iter().flatten().all(|[angle, width]| *angle < 0.3 && *width < 0.7), "{all:?}");
 }
 
+#[test]
+fn a_scan_on_a_fine_mesh_keeps_its_dart() {
+    let s20 = 340f64.to_radians();
+    let (polar, triangles, rings) = disc(0.15, 60, s20);
+    for seed in [1, 2] {
+        let scan = Noise(seed * 7919).on(&cone(&polar, s20), 3e-4);
+        let g = garment(vec![dart_piece(&polar, &triangles, &rings)], vec![scan]);
+        let flat = flatten(&g, &FlattenParams { smooth: Length(0.02), ..FlattenParams::default() });
+        let d = &flat.pieces[0].darts[0];
+        let off = [(d.angle[1] - d.angle[0]).abs().to_degrees(), 1e3 * (d.width[1] - d.width[0]).abs()];
+        println!("scan {seed}: angle {:.3} deg, width {:.3} mm", off[0], off[1]);
+        assert!(off[0] < 0.15 && off[1] < 0.4, "{off:?}");
+    }
+}
+
 fn cap(half_angle: f64) -> (Garment, Vec<[u32; 3]>) {
     let radius = 0.1;
     let (polar, triangles, rings) = disc(radius * half_angle, 18, TAU);
@@ -732,4 +747,55 @@ fn a_solve_whose_rounds_run_out_gives_its_best_and_says_so() {
     assert!(stored.triangles().iter().all(upright));
     let (_, codes) = codes_of(&g, &FlattenParams::default());
     assert!(!codes.iter().any(|c| c == "flatten-not-at-rest"), "{codes:?}");
+}
+
+/// The lengths that an edit gives to a disc whose sector becomes wider; the disc lies over itself in 3D.
+fn spread(polar: &[[f64; 2]], by: f64) -> Vec<Vec3> {
+    polar.iter().map(|[r, a]| Vec3::new(r * libm::cos(by * a), 0.0, -r * libm::sin(by * a))).collect()
+}
+
+#[test]
+fn a_dart_whose_legs_would_overlap_is_held_open() {
+    // The dart has 20 degrees, and the edit asks for 5 degrees less than none.
+    let s20 = 340f64.to_radians();
+    let (polar, triangles, rings) = disc(0.15, 18, s20);
+    let g = edited(dart_piece(&polar, &triangles, &rings), cone(&polar, s20), spread(&polar, 365.0 / 340.0));
+    let (flat, codes) = codes_of(&g, &FlattenParams::default());
+    let dart = &flat.pieces[0].darts[0];
+    println!("intake {:.3?} mm, {} rounds, {codes:?}", dart.width.map(|w| 1e3 * w), flat.pieces[0].rounds);
+    assert!((1e3 * dart.width[1] - 2.0).abs() < 0.2, "{dart:?}");
+    assert!(overlaps::find(g.pieces[0].mesh.as_ref().expect("mesh"), &flat.pieces[0].positions).is_empty());
+    assert!(codes.iter().any(|c| c == "flatten-dart-overlaps") && !codes.iter().any(|c| c == "flatten-overlap"));
+}
+
+#[test]
+fn a_piece_that_lies_over_itself_is_told_and_does_not_pass() {
+    let ring = skirt(0.0, 6.1, 60, 10, 0.0);
+    let wider = |by: f64| {
+        edit(&ring, |p| {
+            let (r, a) = (p.norm(), by * libm::atan2(p.y, p.x).rem_euclid(TAU));
+            Vec3::new(r * libm::cos(a), r * libm::sin(a), 0.0)
+        })
+    };
+    let told = |by: f64| {
+        let g = wider(by);
+        let (flat, codes) = codes_of(&g, &FlattenParams::default());
+        let all = super::verdict::verdicts(&g, &flat, &FlattenTolerance::default()).expect("verdicts");
+        (codes.iter().any(|c| c == "flatten-overlap"), all[0].fails().join(", "))
+    };
+    assert_eq!(told(1.01), (false, String::new()));
+    let (is_told, fails) = told(1.1);
+    assert!(is_told && fails.contains("its outline crosses itself at"), "{fails}");
+}
+
+#[test]
+fn a_mirrored_shape_is_told() {
+    let half = skirt(0.0, 1.4, 12, 8, 0.0);
+    let before = half.fold(0.1);
+    let now = |x: f64| before.iter().map(|p| Vec3::new(x * p.x, 1.02 * p.y, p.z)).collect();
+    let told = |x: f64| {
+        let g = edited(half.piece(), before.clone(), now(x));
+        codes_of(&g, &FlattenParams::default()).1.iter().any(|c| c == "flatten-mirrored")
+    };
+    assert!(told(-1.0) && !told(1.0));
 }
