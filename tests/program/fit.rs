@@ -25,7 +25,7 @@ fn ease(result: &Value, name: &str, key: &str) -> f64 {
 #[test]
 fn a_skirt_keeps_its_ease_or_gets_the_one_that_is_asked_for() {
     let bench = Bench::new();
-    let said = fit(&bench, "fitted", &["--body", "40", "--ease", "waist=22 mm", "--json"]);
+    let said = fit(&bench, "fitted", &["--body", "40", "--ease", "waist=22 mm", "--json", "--language", "zh"]);
     assert_eq!(said.code, 0, "{said:?}");
     let result: Value = serde_json::from_str(&said.out).expect("JSON");
     // The waist of size 40 is 740 mm; it is taken 4 mm under the edge of the skirt.
@@ -50,7 +50,13 @@ fn a_skirt_keeps_its_ease_or_gets_the_one_that_is_asked_for() {
     assert_eq!(again.code, 0, "{again:?}");
     let glb = |folder: &str| std::fs::read(bench.path(folder).join("long-skirt.glb")).expect("GLB");
     assert!(glb("fitted/run") == glb("again"));
-    assert!(bench.path("fitted/fit.html").is_file());
+    // The page speaks Chinese, names and all.
+    let page = std::fs::read_to_string(bench.path("fitted/fit.html")).expect("page");
+    for words in ["lang=\"zh-Hans\"", "<h2>松量</h2>", "腰围处的宽度", "下摆离地高度", "新纸样的悬垂通过检验。"]
+    {
+        assert!(page.contains(words), "{words}");
+    }
+    assert!(!page.contains("Hem above") && !page.contains("width at"));
     the_change_is_in_all_sizes(&bench, &result);
 }
 

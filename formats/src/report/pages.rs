@@ -31,6 +31,8 @@ pub const PAGES: &[(&str, &str)] = &[
     ),
     ("width at the {0}", "{0}处的宽度"),
     ("length at the middle", "中线处的长度"),
+    ("length of edge {0}", "边 {0} 的长度"),
+    ("length of edge {0} ({1})", "边 {0} 的长度（{1}）"),
     ("length of {0}", "{0} 的长度"),
     ("length of {0} ({1})", "{0} 的长度（{1}）"),
     ("intake of {0}", "{0} 的省量"),
