@@ -4,7 +4,8 @@ use super::args::NewArgs;
 use super::console::Console;
 use crate::engine::{Exit, clean, unwritten};
 use crate::new::{
-    Body, Earlier, FABRIC_CHOSEN, Fabric, Folder, New, Order, SIZE_TAKEN, Sample, Source, Wishes, from_pattern, read,
+    Body, Earlier, FABRIC_CHOSEN, FABRIC_HINT, Fabric, Folder, New, Order, SIZE_TAKEN, Sample, Source, Wishes,
+    from_pattern, read,
 };
 use crate::progress::Spinner;
 use std::collections::BTreeMap;
@@ -51,6 +52,7 @@ pub(super) fn run(args: &NewArgs, console: &mut Console<'_>) -> Exit {
     console.findings(&told, None);
     console.findings(size_taken(&source).as_slice(), None);
     let fabric = fabric(args, &source, console);
+    let is_open = args.fabric.is_none() && source.knit().is_none();
     let own = earlier.as_ref().filter(|_| args.body.is_none()).and_then(|e| e.body.clone());
     let order = Order {
         source: &source,
@@ -58,6 +60,7 @@ pub(super) fn run(args: &NewArgs, console: &mut Console<'_>) -> Exit {
         is_size_asked: args.size.is_some(),
         body: own.unwrap_or(body),
         fabric,
+        knit: is_open.then(|| Fabric::of(KNIT)),
         earlier: earlier.as_ref(),
         is_anonymous: args.anonymous,
         language: args.language.language(),
@@ -98,7 +101,7 @@ fn fabric(args: &NewArgs, source: &Source, console: &mut Console<'_>) -> Fabric 
     if let Some((piece, word)) = &knit {
         let [name, word] = [&piece.name, word].map(|text| shown(text, &[]));
         let message = format!("the text {word} of piece {name} tells that the garment is a knit: {KNIT} was chosen");
-        let finding = Diagnostic::info(FABRIC_CHOSEN, message).hint("--fabric NAME or --fabric FILE takes another one");
+        let finding = Diagnostic::info(FABRIC_CHOSEN, message).hint(FABRIC_HINT);
         console.findings(&[finding], None);
     }
     Fabric::of(args.fabric.as_deref().unwrap_or(if knit.is_some() { KNIT } else { FABRIC }))

@@ -3,12 +3,16 @@
 //! A kit holds more pieces than one garment has. Two pieces of one kind that share a part of their outlines are drawn
 //! over one another, and one of them is sewn. A neck takes one collar or one hood.
 
+use toile_garment::piece::Quantity;
 use toile_garment::{Piece, Vec2};
 use toile_stages::proposal::Proposal;
 use toile_stages::roles::{Facing, Part, Role};
 
 /// Edges and their chords differ by no more in two such pieces, metres.
 const SAME_EDGE: f64 = 2e-3;
+/// Two pieces of one facing that share so much of the outline are drawn over each other, whatever their parts are called.
+/// A front for a half collar shares 0.85 with the one for a full collar (GMG1016).
+const NEARLY_ALL: f64 = 0.75;
 /// So many edges in a row are the same at least, with the share of the shorter outline that they make.
 const SHARED: [(usize, f64); 2] = [(4, 0.2), (2, 0.45)];
 /// Two outlines that share more are of one shape.
@@ -52,13 +56,16 @@ pub fn drawn_over(pieces: &[Known<'_>]) -> Vec<String> {
 fn stands_for(a: &Known<'_>, b: &Known<'_>) -> bool {
     let part = a.role.part.or(b.role.part);
     let is_one_of = matches!(part, Some(Part::Sleeve | Part::Leg | Part::Hood | Part::Collar | Part::Bodice));
-    let are_alike = [a, b].iter().all(|k| k.role.part.is_none() || k.role.part == part);
     let is_told = part != Some(Part::Bodice) || a.role.facing.is_some();
-    if !is_one_of || !are_alike || !is_told || a.role.facing != b.role.facing || a.role.lateral != b.role.lateral {
+    if !is_one_of || !is_told || a.role.facing != b.role.facing || a.role.lateral != b.role.lateral {
         return false;
     }
     let (p, q) = (edges(a.piece), edges(b.piece));
     let (count, share) = shared(&p, &q);
+    let are_alike = [a, b].iter().all(|k| k.role.part.is_none() || k.role.part == part);
+    if !are_alike && share < NEARLY_ALL {
+        return false;
+    }
     let mirrored: Vec<[f64; 2]> = q.iter().rev().copied().collect();
     let is_same = share > SAME_SHAPE || shared(&p, &mirrored).1 > SAME_SHAPE;
     SHARED.iter().any(|(edges, least)| count >= *edges && share >= *least) && (!is_same || a.is_double && b.is_double)
@@ -91,23 +98,29 @@ pub fn is_under_layer(piece: &Known<'_>, all: &[Known<'_>]) -> bool {
     is(piece, Facing::Under) && all.iter().any(|k| is(k, Facing::Upper))
 }
 
-/// The pieces of which a neck takes one: whole collars and hoods. None where there are no two kinds of them.
+/// The pieces of which a neck takes one: whole collars and hoods. None where there are no two kinds of them. In a kit,
+/// whose quantities are all 0, several stands are alternatives, too.
 pub fn of_neck<'a>(pieces: &[Known<'a>]) -> Vec<Known<'a>> {
+    let stands = pieces.iter().filter(|k| k.role.part == Some(Part::Stand)).count();
+    // A piece that is copied counts once, whatever its quantity was.
+    let is_kit = pieces.iter().all(|k| k.is_double || k.piece.quantity == Quantity { plain: 0, mirrored: 0 });
     let is_whole = |k: &&Known<'_>| match k.role.part {
         Some(Part::Collar) => {
             k.is_own_image && k.role.lateral.is_none() && !matches!(k.role.facing, Some(Facing::Front | Facing::Back))
         }
+        Some(Part::Stand) => is_kit && stands > 1,
         Some(Part::Hood) => true,
         _ => false,
     };
     let found: Vec<Known<'_>> = pieces.iter().filter(is_whole).copied().collect();
-    let collars = found.iter().filter(|k| k.role.part == Some(Part::Collar)).count();
+    let collars = found.iter().filter(|k| k.role.part != Some(Part::Hood)).count();
     let kinds = collars + usize::from(found.len() > collars);
     if kinds < 2 { Vec::new() } else { found }
 }
 
 /// The piece at a neck that fits best, by its number among those: its long side against an opening that has no pair.
-/// `proposal` is one of the garment without them. The first one where no opening is found.
+/// `proposal` is one of the garment without them. A hood is taken where there is nothing else, and the first piece where
+/// no opening is found.
 pub fn best_at_neck(necks: &[Known<'_>], proposal: &Proposal) -> usize {
     let lengths: Vec<f64> = proposal.openings.iter().map(|o| o.iter().map(|b| b.length).sum()).collect();
     let is_single = |k: &usize| {
@@ -118,15 +131,15 @@ pub fn best_at_neck(necks: &[Known<'_>], proposal: &Proposal) -> usize {
     let cost = |k: &Known<'_>| {
         let usual = if is_rib(k.piece) { RIB } else { 1.0 };
         let off = |opening: &f64| libm::log(long_side(k.piece) / (usual * opening)).abs();
-        if k.role.part == Some(Part::Hood) {
-            f64::INFINITY
-        } else {
-            single.iter().map(off).fold(f64::INFINITY, f64::min)
-        }
+        (k.role.part == Some(Part::Hood), single.iter().map(off).fold(f64::INFINITY, f64::min))
     };
-    let costs: Vec<f64> = necks.iter().map(cost).collect();
-    (0..costs.len()).min_by(|i, j| costs[*i].total_cmp(&costs[*j])).unwrap_or(0)
+    let costs: Vec<(bool, f64)> = necks.iter().map(cost).collect();
+    let order = |x: &(bool, f64), y: &(bool, f64)| x.0.cmp(&y.0).then(x.1.total_cmp(&y.1));
+    (0..costs.len()).min_by(|i, j| order(&costs[*i], &costs[*j])).unwrap_or(0)
 }
+
+/// Words for ribs in Chinese. They stand inside other words.
+const RIBS: [&str; 2] = ["罗纹", "螺纹"];
 
 /// Does a file say that a piece is cut of a rib?
 pub fn is_rib(piece: &Piece) -> bool {
@@ -139,12 +152,14 @@ pub fn word_of_knit(piece: &Piece) -> Option<String> {
 }
 
 fn is_word_of_rib(word: &str) -> bool {
-    word.contains("RIB") && !["RIBB", "TRIB", "CRIB"].iter().any(|other| word.contains(other))
+    let is_other = || ["RIBB", "TRIB", "CRIB"].iter().any(|other| word.contains(other));
+    RIBS.iter().any(|rib| word.contains(rib)) || word.contains("RIB") && !is_other()
 }
 
-/// The first word of the texts of a piece for which `holds` is true, in capital letters.
+/// The first word of the name and the texts of a piece for which `holds` is true, in capital letters.
 fn word_of(piece: &Piece, holds: impl Fn(&str) -> bool) -> Option<String> {
-    let mut texts = [&piece.annotation, &piece.category].into_iter().flatten().map(|t| t.to_uppercase());
+    let texts = [&piece.annotation, &piece.category].into_iter().flatten();
+    let mut texts = texts.chain([&piece.name]).map(|t| t.to_uppercase());
     texts.find_map(|t| t.split(|c: char| !c.is_alphabetic()).find(|w| holds(w)).map(str::to_owned))
 }
 
@@ -181,6 +196,8 @@ mod tests {
         };
         assert_eq!(word("neckrib x"), (Some("NECKRIB".to_owned()), true));
         assert_eq!(word("Tight leg short"), (Some("TIGHT".to_owned()), false));
+        let named = Piece { name: "袖口罗纹".to_owned(), ..Piece::default() };
+        assert_eq!(word_of_knit(&named), Some("袖口罗纹".to_owned()));
         // A ribbon is no rib, and a tightener no legging.
         assert_eq!([word("RIBBON"), word("TIGHTENER"), word("")], [(None, false), (None, false), (None, false)]);
     }

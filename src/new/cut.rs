@@ -3,7 +3,7 @@
 use super::alternatives::{Known, count_told, drawn_over, is_under_layer};
 use toile_garment::piece::Quantity;
 use toile_garment::sewing::{CopySpec, SewingPlan};
-use toile_garment::{Garment, Piece};
+use toile_garment::{Garment, Piece, Vec2};
 use toile_stages::proposal::own_images;
 use toile_stages::roles::{Facing, Part, Role, roles_of_names};
 
@@ -13,6 +13,9 @@ const COUNTERPART: f64 = 0.03;
 /// Areas and lengths around differ by less between a piece and its mirror image, as a share.
 const SAME_OUTLINE: f64 = 1e-3;
 
+/// A placket of an open front is at least so long, as a share of the front. Slits of sleeves and polo shirts are shorter.
+const LONG_PLACKET: f64 = 0.55;
+
 /// The quantity of a piece that is not cut.
 const NONE: Quantity = Quantity { plain: 0, mirrored: 0 };
 
@@ -21,6 +24,8 @@ const NONE: Quantity = Quantity { plain: 0, mirrored: 0 };
 pub struct Cut {
     /// Copies, and pieces that are left out.
     pub plan: SewingPlan,
+    /// Those of them that lie on or under other pieces.
+    pub inner: Vec<String>,
     /// Those of them whose quantity is 0.
     pub not_cut: Vec<String>,
     /// Those of them for which another piece stands.
@@ -31,19 +36,21 @@ pub struct Cut {
 
 /// Copies and pieces that are left out, as the pattern tells them. `more` are pieces that a person leaves out.
 ///
-/// Interlinings are fused to other pieces, and a lower collar lies under the upper one. A piece with the quantity 0 is
-/// not cut: it is an alternative, or only helps to draw another one. Where all quantities are 0 the file is a kit, and
-/// annotations tell them. Plackets are left out where every front is whole: a slit in its middle is a drawn line at most.
+/// Interlinings, linings and facings lie inside, under outer pieces, and a lower collar lies under the upper one. Pockets
+/// and belt loops lie on others. A piece with the quantity 0 is not cut: it is an alternative, or only helps to draw another one. Where all quantities are 0 the
+/// file is a kit, and annotations tell them. Plackets are left out where every front is whole: a slit in its middle is a drawn line at most.
 pub fn plan(garment: &Garment, more: &[String]) -> Cut {
     let roles = roles_of_names(&garment.pieces);
     let is_any_cut = garment.pieces.iter().any(|p| p.quantity != NONE);
     let counts = |p: &Piece| if is_any_cut { p.quantity } else { told(p) };
     let is_not_cut = |p: &Piece| counts(p) == NONE;
-    let is_left_out = |p: &Piece| {
-        let is_fused = roles[p.id.index()].part == Some(Part::Interlining);
-        is_fused || is_not_cut(p) || more.contains(&p.name)
-    };
+    let is_inside = |p: &Piece| roles[p.id.index()].part.is_some_and(is_layer);
+    // A file of a lining alone has no outer piece.
+    let has_outer = garment.pieces.iter().any(|p| !is_inside(p));
+    let is_inner = |p: &Piece| has_outer && is_inside(p);
+    let is_left_out = |p: &Piece| is_inner(p) || is_not_cut(p) || more.contains(&p.name);
     let (left_out, sewn): (Vec<&Piece>, Vec<&Piece>) = garment.pieces.iter().partition(|p| is_left_out(p));
+    let inner = left_out.iter().filter(|p| is_inner(p) && !is_not_cut(p)).map(|p| p.name.clone()).collect();
     let not_cut = left_out.iter().filter(|p| is_not_cut(p)).map(|p| p.name.clone()).collect();
     let mut leave_out: Vec<String> = left_out.iter().map(|p| p.name.clone()).collect();
     // A name that is not in the pattern is told later, where the plan is applied.
@@ -66,17 +73,29 @@ pub fn plan(garment: &Garment, more: &[String]) -> Cut {
     let kept = known.iter().filter(|k| k.is_double && !others.contains(&k.piece.name));
     let copies = kept.map(|k| mirrored(k.piece)).collect();
     leave_out.extend(stood_for.iter().chain(&without_slit).cloned());
-    Cut { plan: SewingPlan { copies, leave_out, ..SewingPlan::default() }, not_cut, stood_for, without_slit }
+    let plan = SewingPlan { copies, leave_out, ..SewingPlan::default() };
+    Cut { plan, inner, not_cut, stood_for, without_slit }
 }
 
-/// The plackets of a garment whose fronts are all whole, from side to side.
+/// Is a part a layer that lies on or under another piece, and hangs on no edge of it?
+fn is_layer(part: Part) -> bool {
+    matches!(part, Part::Interlining | Part::Lining | Part::Facing | Part::Pocket | Part::BeltLoop)
+}
+
+/// The plackets of a garment, but for those that are as long as the edge of an open front. Fronts that are whole, from
+/// side to side, have a slit in their middle at most, and so have sleeves and trousers.
 fn plackets_without_slit(known: &[Known<'_>]) -> Vec<String> {
     let is_of_trunk = |k: &&Known<'_>| matches!(k.role.part, None | Some(Part::Bodice));
     let is_front = |k: &&Known<'_>| is_of_trunk(k) && k.role.facing == Some(Facing::Front);
-    let mut fronts = known.iter().filter(is_front).peekable();
-    let are_whole = fronts.peek().is_some() && fronts.all(|k| k.is_own_image);
-    let plackets = known.iter().filter(|k| are_whole && k.role.part == Some(Part::Placket));
-    plackets.map(|k| k.piece.name.clone()).collect()
+    let span = |p: &Piece| {
+        let points = p.outline.positions();
+        let far = |a: &Vec2| points.iter().map(|b| (b - a).norm()).fold(0.0, f64::max);
+        points.iter().map(far).fold(0.0, f64::max)
+    };
+    let open = known.iter().filter(is_front).filter(|k| !k.is_own_image).map(|k| span(k.piece));
+    let edge = LONG_PLACKET * open.fold(f64::INFINITY, f64::min);
+    let plackets = known.iter().filter(|k| k.role.part == Some(Part::Placket));
+    plackets.filter(|k| span(k.piece) < edge).map(|k| k.piece.name.clone()).collect()
 }
 
 /// The quantity that an annotation tells, else 1.
@@ -85,11 +104,12 @@ fn told(piece: &Piece) -> Quantity {
 }
 
 /// Is a piece cut once as drawn and once turned over? A count of two alone means so where the piece is not its own
-/// mirror image, or lies on an arm or a leg. Two collars are two layers.
+/// mirror image, or lies on an arm, a leg or a shoulder. Two collars are two layers, and four cuffs are two layers for two arms.
 fn is_pair(counts: Quantity, role: &Role, is_own_image: bool) -> bool {
     let both = counts.plain > 0 && counts.mirrored > 0;
-    let is_on_limb = matches!(role.part, Some(Part::Sleeve | Part::Leg | Part::Cuff)) && role.lateral.is_none();
-    both || (counts.plain == 2 && (!is_own_image || is_on_limb))
+    let is_on_limb =
+        matches!(role.part, Some(Part::Sleeve | Part::Leg | Part::Cuff | Part::Strap)) && role.lateral.is_none();
+    both || counts.plain == 2 && (!is_own_image || is_on_limb) || counts.plain == 4 && is_on_limb
 }
 
 /// Is a piece of an arm or a leg drawn alone, without its counterpart on the other side?
@@ -118,9 +138,9 @@ fn mirrored(piece: &Piece) -> CopySpec {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use toile_garment::PieceId;
     use toile_garment::outline::OutlineEdge;
     use toile_garment::outline::{LinePoint, PieceLine, PointKind};
-    use toile_garment::{PieceId, Vec2};
 
     fn piece(id: usize, name: &str, width: f64, plain: u32) -> Piece {
         let corner = |x: f64, y: f64| LinePoint { at: Vec2::new(x, y), kind: PointKind::Turn };
@@ -193,6 +213,7 @@ mod tests {
         let of = |name: &str, told: &str| plan_of(vec![drawn(0, name, &band, told)]).0;
         assert_eq!(of("cuff", "2XRIB"), ["cuff-M"]);
         assert_eq!(of("cuff", "10 X 2"), ["cuff-M"]);
+        assert_eq!(of("cuff", "4X FABRIC"), ["cuff-M"]);
         // One band of each cuts one, and two collars are two layers.
         assert!(of("cuff", "1XRIB").is_empty() && of("collar", "2X FABRIC").is_empty());
     }
@@ -202,8 +223,21 @@ mod tests {
         let placket = || drawn(1, "placket", &[(0.0, 0.0), (30.0, 0.0), (30.0, 155.0), (0.0, 155.0)], "1X");
         let front = |right: f64| drawn(0, "front", &[(0.0, 0.0), (600.0, 0.0), (right, 700.0), (60.0, 700.0)], "1X");
         assert_eq!(plan_of(vec![front(540.0), placket()]).1, ["placket"]);
-        // Half a front has an edge for it.
-        assert!(plan_of(vec![front(600.0), placket()]).1.is_empty());
+        // Half a front has an edge for a long one. A short one is that of a sleeve.
+        let half = || drawn(0, "front", &[(0.0, 0.0), (300.0, 0.0), (250.0, 700.0), (0.0, 600.0)], "2X");
+        let long = drawn(1, "placket", &[(0.0, 0.0), (30.0, 0.0), (30.0, 600.0), (0.0, 600.0)], "1X");
+        assert_eq!(plan_of(vec![half(), placket()]).1, ["placket"]);
+        assert!(plan_of(vec![half(), long]).1.is_empty());
+    }
+
+    #[test]
+    fn layers_that_lie_inside_are_left_out_where_there_is_an_outer_piece() {
+        let pieces =
+            || vec![piece(0, "front", 0.5, 1), piece(1, "front facing", 0.1, 1), piece(2, "lining back", 0.5, 1)];
+        assert_eq!(plan_of(pieces()).1, ["front facing", "lining back"]);
+        assert_eq!(plan(&Garment { pieces: pieces(), ..Garment::default() }, &[]).inner.len(), 2);
+        let alone = pieces()[1..].iter().enumerate().map(|(k, p)| Piece { id: PieceId::from(k), ..p.clone() });
+        assert!(plan_of(alone.collect()).1.is_empty());
     }
 
     #[test]

@@ -14,10 +14,14 @@ use toile_stages::roles::{Part, Role};
 const STEP: f64 = 0.01;
 /// A garment may be narrower than its body by this share of the body's girth: knits stretch so far without a word.
 const STRETCH: f64 = 0.08;
+/// And no knit stretches by more than this share.
+const MOST_STRETCH: f64 = 0.35;
 /// Ease around the chest from which on a garment is looked at as too large, metres. A wide hoodie has 0.26.
 const TENT: f64 = 0.28;
 /// A body of the pattern's own size is the better one if its ease is nearer to the usual by so much, metres.
 const NEARER: f64 = 0.03;
+/// A piece whose outward normal points less to the front or the back lies at a side.
+const SIDEWAYS: f64 = 0.3;
 /// Usual ease around the chest and around the hips, metres.
 const CHEST: [f64; 2] = [0.06, 0.14];
 const HIPS: [f64; 2] = [0.02, 0.10];
@@ -68,6 +72,13 @@ pub fn better(
     );
     let finding = Diagnostic::info(BODY_CHOSEN, message).hint("--body SIZE or --body FILE.obj takes another one");
     Some((Body::Size(name), finding))
+}
+
+/// How much narrower a garment is than its body, where that is more than woven cloth gives: the girths of both.
+pub fn narrow(garment: &Garment, dressed: &Dressed, body: &toile_garment::body::Body) -> Option<String> {
+    let is_knit = |p: &Pair| (STRETCH..MOST_STRETCH).contains(&(1.0 - p.garment / p.body));
+    let pair = pairs(garment, dressed, body).into_iter().find(is_knit)?;
+    Some(format!("{} around the {} on a body of {}", mm(pair.garment), pair.place, mm(pair.body)))
 }
 
 impl Pair {
@@ -218,7 +229,8 @@ struct Cloth {
 
 #[derive(Clone)]
 struct Outline {
-    is_front: bool,
+    /// Does it lie before the body? None for a piece at a side, which reaches to both.
+    is_front: Option<bool>,
     /// Does it hang from the waist?
     is_low: bool,
     points: Vec<Vec3>,
@@ -255,7 +267,7 @@ impl Cloth {
 
     /// Is there cloth before and behind the body at a height?
     fn is_around(&self, y: f64) -> bool {
-        let has = |front: bool| self.outlines.iter().any(|o| o.is_front == front && width(&o.points, y) > 0.0);
+        let has = |front: bool| self.outlines.iter().any(|o| o.is_front != Some(!front) && width(&o.points, y) > 0.0);
         has(true) && has(false)
     }
 }
@@ -264,17 +276,32 @@ impl Cloth {
 fn is_around(role: &Role, place: &Place) -> bool {
     let is_trunk = matches!(place.segment, Segment::Torso | Segment::Leg(_));
     let is_other = |part: Part| {
-        use Part::{BeltLoop, Collar, Cuff, Facing, Hood, Interlining, Lining, Placket, Pocket, Sleeve, Stand, Strap};
+        use Part::{
+            BeltLoop, Binding, Collar, Cuff, Facing, Hood, Interlining, Lining, Placket, Pocket, Sleeve, Stand, Strap,
+        };
         matches!(
             part,
-            BeltLoop | Collar | Cuff | Facing | Hood | Interlining | Lining | Placket | Pocket | Sleeve | Stand | Strap
+            BeltLoop
+                | Binding
+                | Collar
+                | Cuff
+                | Facing
+                | Hood
+                | Interlining
+                | Lining
+                | Placket
+                | Pocket
+                | Sleeve
+                | Stand
+                | Strap
         )
     };
     is_trunk && !role.part.is_some_and(is_other)
 }
 
-fn is_front(place: &Place) -> bool {
-    place.rotation()[2][2] > 0.0
+fn is_front(place: &Place) -> Option<bool> {
+    let ahead = place.rotation()[2][2];
+    (ahead.abs() > SIDEWAYS).then_some(ahead > 0.0)
 }
 
 fn points(piece: &Piece, place: &Place) -> Vec<Vec3> {

@@ -36,6 +36,9 @@ use toile_garment::{Diagnostic, Piece};
 use toile_stages::proposal::{Known, Nameless, Names, Proposal, RoleNames, own_images, propose};
 use toile_stages::roles::{Role, roles_of_names};
 
+/// What to do where a fabric was chosen that a person did not ask for.
+pub(crate) const FABRIC_HINT: &str = "--fabric NAME or --fabric FILE takes another one";
+
 /// The wishes of a person.
 #[derive(Debug)]
 pub struct Order<'a> {
@@ -49,6 +52,8 @@ pub struct Order<'a> {
     pub is_size_asked: bool,
     /// The fabric.
     pub fabric: Fabric,
+    /// The fabric of a garment that is narrower than its body, where a person asked for none.
+    pub knit: Option<Fabric>,
     /// The folder's earlier content.
     pub earlier: Option<&'a Earlier>,
     /// Are the names of the pieces left out of account?
@@ -109,6 +114,7 @@ fn known<'a>(source: &Source, piece: &'a Piece, roles: &'a [Role], own: &[bool])
 /// A pattern on its body.
 struct Worn {
     body: Body,
+    fabric: Fabric,
     opened: Opened,
     dressed: dress::Dressed,
     findings: Vec<Diagnostic>,
@@ -132,8 +138,15 @@ fn worn(order: &Order<'_>, source: &Source, proposal: &Proposal) -> Result<Worn,
         body = other;
         findings.push(finding);
     }
+    let narrow = || opened.model.as_ref().and_then(|b| fits::narrow(garment, &dressed, b));
+    let knit = order.knit.as_ref().and_then(|knit| Some((knit, narrow()?)));
+    if let Some((knit, girths)) = knit {
+        let message = format!("the garment has {girths}, so it is a knit: {} was chosen", knit.name());
+        findings.push(Diagnostic::info(FABRIC_CHOSEN, message).hint(FABRIC_HINT));
+        return Ok(Worn { fabric: knit.clone(), body, opened, dressed, findings });
+    }
     findings.extend(opened.model.as_ref().and_then(|b| fits::question(source, &dressed, &body, b)));
-    Ok(Worn { body, opened, dressed, findings })
+    Ok(Worn { fabric: order.fabric.clone(), body, opened, dressed, findings })
 }
 
 /// Puts a folder together from a pattern. Pieces without a sure seam are left out, and said.
@@ -155,7 +168,7 @@ pub fn from_pattern(order: &Order<'_>) -> Result<New, Vec<Diagnostic>> {
         proposal = proposed(&source, order.is_anonymous, &known)?;
     }
     let source = &source;
-    let Worn { body: own, opened: body, dressed, findings } = worn(order, source, &proposal)?;
+    let Worn { body: own, fabric, opened: body, dressed, findings } = worn(order, source, &proposal)?;
     let new =
         proposal.seams.iter_mut().zip(&proposal.given).zip(&dressed.seam_names).filter(|((_, given), _)| !**given);
     for ((seam, _), name) in new {
@@ -168,7 +181,7 @@ pub fn from_pattern(order: &Order<'_>) -> Result<New, Vec<Diagnostic>> {
     if let Some((name, bytes)) = &source.rules {
         folder.add(name, bytes.clone());
     }
-    for (name, bytes) in body.files.into_iter().chain(order.fabric.files()?) {
+    for (name, bytes) in body.files.into_iter().chain(fabric.files()?) {
         folder.add(&name, bytes);
     }
     // Seams are in the person's file before `proposal.json` says that they were proposed.
@@ -180,7 +193,7 @@ pub fn from_pattern(order: &Order<'_>) -> Result<New, Vec<Diagnostic>> {
             folder.add("sewing.toml", text.into_bytes());
         }
     }
-    folder.add("pipeline.toml", pipeline::text(source, &own, &order.fabric).into_bytes());
+    folder.add("pipeline.toml", pipeline::text(source, &own, &fabric).into_bytes());
     let json = serde_json::to_string_pretty(&document).unwrap_or_default();
     folder.replace("proposal.json", format!("{}\n", toile_garment::text::json(&json)).into_bytes());
     folder.replace(

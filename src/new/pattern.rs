@@ -51,6 +51,8 @@ pub struct Source {
     pub left_out: Vec<String>,
     /// Those of them for which no sure seam was found.
     pub without_seam: Vec<String>,
+    /// Those of them that lie on or under other pieces.
+    pub inner: Vec<String>,
     /// Those of them that the pattern's own quantity does not count.
     pub not_cut: Vec<String>,
     /// Those of them for which another piece stands.
@@ -146,6 +148,7 @@ pub fn read(path: &Path, plan: Option<SewingPlan>, wishes: &Wishes) -> Result<So
         copies,
         left_out,
         without_seam: cut.without_slit,
+        inner: cut.inner,
         not_cut: cut.not_cut,
         stood_for: cut.stood_for,
         unit: wishes.unit,

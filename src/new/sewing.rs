@@ -69,7 +69,7 @@ fn head(source: &Source) -> String {
         String::new()
     } else {
         format!(
-            "\n# These pieces are not sewn: interlinings, pieces with the quantity 0, and alternatives.\n{}\
+            "\n# These pieces are not sewn: layers, pieces with the quantity 0, and alternatives.\n{}\
              leave_out = [{}]\n",
             reasons(source),
             list.join(", ")
@@ -90,6 +90,7 @@ fn reasons(source: &Source) -> String {
     };
     let take = "Take what you want sewn out of the list, and write its seams.";
     [
+        line(&source.inner, "On or under other pieces lie", take),
         line(&source.not_cut, "The quantity is 0 of", "Take one out of the list to have it sewn."),
         line(&source.stood_for, "Another piece stands for", "To sew one of these, exchange the two in the list."),
         line(&source.without_seam, "No sure seam was found for", take),

@@ -206,6 +206,12 @@ impl Fabric {
         }
     }
 
+    /// Its name, without the ending of its file.
+    #[must_use]
+    pub fn name(&self) -> String {
+        self.file_name().trim_end_matches(".toml").to_owned()
+    }
+
     /// Name of the file in the folder.
     #[must_use]
     pub fn file_name(&self) -> String {

@@ -20,7 +20,8 @@ pub fn unsewn(source: &Source, proposal: &Proposal, is_anonymous: bool) -> [Vec<
     let sewn: Vec<&Piece> = pieces.iter().filter(is_in).collect();
     let area = |p: &Piece| p.outline.signed_area().abs();
     let least = SMALL * sewn.iter().map(|p| area(p)).sum::<f64>();
-    let is_large = |p: usize| area(&pieces[p]) >= least;
+    // A binding is narrow, and as long as an opening.
+    let is_large = |p: usize| area(&pieces[p]) >= least && roles[p].part != Some(Part::Binding);
     let holds = |s: &ProposedSeam, p: usize| {
         let has = |runs: &[Run]| runs.iter().any(|r| r.piece == p);
         let others = |runs: &[Run]| runs.iter().any(|r| is_large(r.piece));
@@ -38,6 +39,6 @@ pub fn unsewn(source: &Source, proposal: &Proposal, is_anonymous: bool) -> [Vec<
 
 /// Does a garment drape much the same without such a piece? A small yoke is the facing of a slit.
 fn is_trimming(role: &Role) -> bool {
-    use Part::{BeltLoop, Facing, Placket, Pocket, Yoke};
-    role.part.is_none_or(|part| matches!(part, BeltLoop | Facing | Placket | Pocket | Yoke))
+    use Part::{BeltLoop, Binding, Facing, Placket, Pocket, Yoke};
+    role.part.is_none_or(|part| matches!(part, BeltLoop | Binding | Facing | Placket | Pocket | Yoke))
 }

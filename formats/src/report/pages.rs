@@ -322,6 +322,7 @@ pub const PAGES: &[(&str, &str)] = &[
     ("godet", "插片"),
     ("cuff", "袖头"),
     ("stand", "领座"),
+    ("binding", "包边条"),
     ("collar", "领"),
     ("hood", "帽"),
     ("waistband", "腰头"),

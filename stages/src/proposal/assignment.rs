@@ -44,6 +44,17 @@ impl Assignment {
         left
     }
 
+    /// Sews some atoms as another assignment does, where both atoms of a seam are free and not barred.
+    pub fn restore(&mut self, of: &Self, atoms: std::ops::Range<usize>, is_barred: impl Fn(usize) -> bool) {
+        for a in atoms {
+            let Some(b) = of.partner(a) else { continue };
+            if [a, b].iter().all(|atom| self.partner(*atom).is_none() && !is_barred(*atom)) {
+                (self.partner[a], self.partner[b]) = (b as u32, a as u32);
+                (self.opposite[a], self.opposite[b]) = (of.opposite[a], of.opposite[b]);
+            }
+        }
+    }
+
     fn free(&mut self, atom: usize) {
         if let Some(other) = self.partner(atom) {
             self.partner[other] = FREE;

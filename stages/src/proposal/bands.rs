@@ -6,7 +6,7 @@
 use super::assignment::Assignment;
 use super::atoms::{Layout, Panel};
 use super::openings::{Closing, Sewn};
-use super::propose::Names;
+use super::propose::{Names, Rim};
 use super::tuning::BandWeights;
 
 /// The closings by bands, beside those of `closed`, and the seams that are left. A band that was sewn on in parts is
@@ -18,19 +18,45 @@ pub fn bands(
     is_given: impl Fn(usize) -> bool,
     closed: &[Closing],
 ) -> (Vec<Closing>, Assignment) {
-    let mut of = of.clone();
-    let mut found = closed.to_vec();
-    let is_band = |p: &&Panel| !names.is_sleeve(p.piece) && !p.atoms.clone().any(&is_given);
-    for panel in layout.panels.iter().filter(is_band) {
-        let without = of.without(panel.atoms.clone());
-        let sewn = Sewn { layout, of: &without, closed: &found };
-        let around = Bands { sewn, names, weights: BandWeights::default() }.closed_by(panel, &of);
-        if !around.is_empty() {
-            of = without;
+    let weights = BandWeights::default();
+    let (mut bare, mut found) = (of.clone(), closed.to_vec());
+    let is_free = |p: &&Panel| !names.is_sleeve(p.piece) && !p.atoms.clone().any(&is_given);
+    let sewn = Bands { sewn: Sewn { layout, of, closed }, names, weights: weights.clone() };
+    let astray: Vec<(&Panel, Band)> =
+        layout.panels.iter().filter(is_free).filter_map(|p| Some((p, sewn.astray(p, of)?))).collect();
+    // A band that is sewn to a wrong place bars the place of another one. So all of them are taken off first.
+    astray.iter().for_each(|(panel, _)| bare = bare.without(panel.atoms.clone()));
+    let mut left = Vec::new();
+    for (panel, band) in &astray {
+        let sewn = Sewn { layout, of: &bare, closed: &found };
+        let around = Bands { sewn, names, weights: weights.clone() }.closed_by(panel, band);
+        if around.is_empty() {
+            left.push(panel);
         }
         found.extend(around);
     }
-    (found, of)
+    for panel in left {
+        bare.restore(of, panel.atoms.clone(), |a| found.iter().any(|c| c.has(a)));
+    }
+    (found, bare)
+}
+
+/// The pieces of bands that go all around an opening alone, and have the shape for it.
+pub fn whole_bands(layout: &Layout, names: &dyn Names) -> Vec<usize> {
+    let of = Assignment::empty(layout.atoms.len());
+    let sewn = Sewn { layout, of: &of, closed: &[] };
+    let bands = Bands { sewn, names, weights: BandWeights::default() };
+    let is_whole = |p: &&Panel| names.is_whole_band(p.piece) && bands.astray(p, &of).is_some();
+    layout.panels.iter().filter(is_whole).map(|p| p.piece).collect()
+}
+
+/// The sides of a band.
+struct Band {
+    /// The side that is sewn on where nothing speaks for the other, and its end.
+    first: Vec<usize>,
+    end: Vec<usize>,
+    long: Vec<usize>,
+    other_end: Vec<usize>,
 }
 
 struct Bands<'a> {
@@ -40,43 +66,68 @@ struct Bands<'a> {
 }
 
 impl Bands<'_> {
-    /// Sews a band around an opening, and its ends to each other. A band of which a long side is sewn on by the partners
-    /// `before`, and fits, is left as it is.
-    fn closed_by(&self, panel: &Panel, before: &Assignment) -> Vec<Closing> {
-        let Some([first, end, long, other_end]) = self.sides_of_band(panel) else { return Vec::new() };
+    /// A band that may go around an opening, and of which no long side is sewn there yet by the partners `before`.
+    fn astray(&self, panel: &Panel, before: &Assignment) -> Option<Band> {
+        let [first, end, long, other_end] = self.sides_of_band(panel)?;
+        let has_place = |p: &Panel| self.names.goes_around(panel.piece, p.piece).is_some();
+        let is_on = [&first, &long].iter().any(|side| self.is_sewn_whole(panel.piece, side, before));
+        let is_astray = !is_on && self.sewn.layout.panels.iter().any(has_place);
+        is_astray.then_some(Band { first, end, long, other_end })
+    }
+
+    /// Sews a band around an opening, and its ends to each other.
+    fn closed_by(&self, panel: &Panel, band: &Band) -> Vec<Closing> {
         let piece = panel.piece;
-        // Cloth is often gathered to a waistband.
-        let any_ease = self.names.is_waistband(piece);
-        if [&first, &long].iter().any(|side| self.is_sewn_whole(side, before, any_ease)) {
-            return Vec::new();
-        }
-        let edge = if self.is_low(&long) && !self.is_low(&first) { long } else { first };
-        let off =
-            |opening: &[usize]| (self.sewn.length(&edge) / self.sewn.length(opening) - self.weights.band_usual).abs();
-        // The tops of raglan sleeves are a part of the neckline.
-        let is_around = |a: &usize| self.names.goes_around(piece, self.sewn.piece(*a));
-        let is_place = |o: &[usize]| {
-            o.iter().any(is_around) && o.iter().all(|a| is_around(a) || self.names.is_sleeve(self.sewn.piece(*a)))
-        };
-        let is_open = |a: &usize| !self.sewn.layout.atoms[*a].is_low();
         let openings = self.sewn.openings();
-        let is_single = !self.has_twin(panel);
-        let is_one_of_pair = |o: &[usize]| self.is_one_of_pair(o, &openings);
-        let places = openings.iter().map(Vec::as_slice).filter(|o| is_place(o) && o.iter().all(is_open));
-        let places = places.filter(|o| !(is_single && is_one_of_pair(o)));
-        let best = places.min_by(|p, q| off(p).total_cmp(&off(q))).filter(|o| off(o) < self.weights.band_spread);
-        let Some(opening) = best else { return Vec::new() };
-        let is_collar = !any_ease && self.sewn.length(&end) > self.weights.collar_height * self.sewn.length(&edge);
-        let front = (any_ease || is_collar).then(|| self.front_middle(opening)).flatten();
+        let fits = openings.iter().filter_map(|o| {
+            let rim = self.rim(panel, o, &openings)?;
+            let edge = self.edge(band, rim);
+            let [usual, spread] = self.weights.usual(rim, self.names.is_waistband(piece));
+            let off = (self.sewn.length(edge) / self.sewn.length(o) - usual).abs();
+            // Left goes to left, where names tell the sides.
+            let is_across = o.iter().any(|a| self.names.seam(piece, self.sewn.piece(*a), false, 0.0) < 0.0);
+            (off < spread).then_some((is_across, off, o, rim))
+        });
+        let best = fits.min_by(|p, q| p.0.cmp(&q.0).then(p.1.total_cmp(&q.1)));
+        let Some((_, _, opening, rim)) = best else { return Vec::new() };
+        let edge = self.edge(band, rim).clone();
+        // Cloth is often gathered to a waistband.
+        let is_waist = self.names.is_waistband(piece);
+        let is_high = self.sewn.length(&band.end) > self.weights.collar_height * self.sewn.length(&edge);
+        let is_collar = rim == Rim::Upper && !is_waist && is_high;
+        let opens = rim == Rim::Upper && (is_waist || is_collar);
+        let front = opens.then(|| self.front_middle(opening)).flatten();
         let (start, lead) = front.unwrap_or_else(|| (self.joint_of_pieces(opening), 0.0));
         let n = opening.len();
         let around: Vec<usize> = (0..n).map(|k| opening[(start + k) % n]).collect();
-        let backward = |atoms: Vec<usize>| atoms.into_iter().rev().collect::<Vec<usize>>();
+        let backward = |atoms: &[usize]| atoms.iter().rev().copied().collect::<Vec<usize>>();
         let confidence = self.weights.confidence;
-        let ring = Closing { a: around, b: backward(edge), lead, confidence };
+        let ring = Closing { a: around, b: backward(&edge), lead, confidence };
         // A collar stands open in front.
-        let ends = Closing { a: end, b: backward(other_end), lead: 0.0, confidence };
+        let ends = Closing { a: band.end.clone(), b: backward(&band.other_end), lead: 0.0, confidence };
         if front.is_some() && is_collar { vec![ring] } else { vec![ring, ends] }
+    }
+
+    /// The rim that an opening is for a band; `None` where it goes around others.
+    fn rim(&self, panel: &Panel, opening: &[usize], openings: &[Vec<usize>]) -> Option<Rim> {
+        let rim = |a: &usize| self.names.goes_around(panel.piece, self.sewn.piece(*a));
+        let is_low = |a: &usize| self.sewn.layout.atoms[*a].is_low();
+        // The tops of raglan sleeves are a part of the neckline.
+        let is_upper = |a: &usize| rim(a) == Some(Rim::Upper) || self.names.is_sleeve(self.sewn.piece(*a));
+        if opening.iter().any(|a| rim(a) == Some(Rim::Upper)) {
+            let is_single = !self.has_twin(panel);
+            let is_place = opening.iter().all(|a| is_upper(a) && !is_low(a));
+            return (is_place && !(is_single && self.is_one_of_pair(opening, openings))).then_some(Rim::Upper);
+        }
+        let is_end = opening.iter().all(|a| rim(a) == Some(Rim::Lower));
+        (is_end && self.is_low(opening)).then_some(Rim::Lower)
+    }
+
+    /// The long side of a band that is sewn to a rim: the lower one where the band stands above it.
+    fn edge<'b>(&self, band: &'b Band, rim: Rim) -> &'b Vec<usize> {
+        let (first, long) = (self.is_low(&band.first), self.is_low(&band.long));
+        let is_other = if rim == Rim::Upper { long && !first } else { first && !long };
+        if is_other { &band.long } else { &band.first }
     }
 
     /// Is there another piece of the same shape? One of the two is sewn on the left, and one on the right.
@@ -120,11 +171,13 @@ impl Bands<'_> {
         ends.chain(halves).find(|(k, lead)| !joints.is_empty() && is_middle(starts[*k] + lead))
     }
 
-    /// Is a side sewn all along, and to stretches as long as itself, or with any ease?
-    fn is_sewn_whole(&self, side: &[usize], by: &Assignment, any_ease: bool) -> bool {
-        let partners: Option<Vec<usize>> = side.iter().map(|a| by.partner(*a)).collect();
-        let ratio = partners.map(|p| self.sewn.length(&p) / self.sewn.length(side));
-        ratio.is_some_and(|r| any_ease || libm::log(r).abs() < self.weights.band_ends)
+    /// Is a side sewn all along, to stretches that a band goes around, and as long as itself? Cloth is gathered to a
+    /// waistband.
+    fn is_sewn_whole(&self, band: usize, side: &[usize], by: &Assignment) -> bool {
+        let Some(partners) = side.iter().map(|a| by.partner(*a)).collect::<Option<Vec<usize>>>() else { return false };
+        let is_place = partners.iter().all(|a| self.names.goes_around(band, self.sewn.piece(*a)).is_some());
+        let ratio = libm::log(self.sewn.length(&partners) / self.sewn.length(side));
+        is_place && (self.names.is_waistband(band) || ratio.abs() < self.weights.band_ends)
     }
 
     fn is_low(&self, atoms: &[usize]) -> bool {
@@ -152,7 +205,8 @@ impl Bands<'_> {
         }
         let short = self.sewn.length(&b).max(self.sewn.length(&d));
         let is_even = libm::log(self.sewn.length(&b) / self.sewn.length(&d)).abs() < self.weights.band_ends;
-        (is_even && self.sewn.length(&a).min(self.sewn.length(&c)) > self.weights.band_least * short)
-            .then_some([a, b, c, d])
+        // A rib that is folded double is high, and its name tells it.
+        let least = if self.names.is_whole_band(panel.piece) { 1.0 } else { self.weights.band_least };
+        (is_even && self.sewn.length(&a).min(self.sewn.length(&c)) > least * short).then_some([a, b, c, d])
     }
 }

@@ -92,24 +92,49 @@ impl<'a> Outline<'a> {
 
 /// Takes away grade points: corners that hardly turn and that one side of a seam alone has. No other piece has a
 /// stretch as long as one of those that they part, but some other stretch has the whole length. It may be one of the same
-/// piece, because a leg in one piece is sewn to itself.
+/// piece, because a leg in one piece is sewn to itself. The other side may have grade points of its own, elsewhere.
 pub fn without_unpaired(outlines: &mut [Outline<'_>]) {
     let lengths: Vec<Vec<f64>> = outlines.iter().map(Outline::lengths).collect();
     let totals: Vec<f64> = outlines.iter().map(|o| o.ring.total()).collect();
-    for (own, outline) in outlines.iter_mut().enumerate() {
+    let runs: Vec<Vec<Vec<usize>>> = outlines.iter().map(Outline::smooth_runs).collect();
+    let is = |length: f64, other: f64| libm::log(other / length).abs() < tuning::AS_LONG;
+    let whole = |piece: usize, run: &[usize]| run.iter().map(|k| lengths[piece][*k]).sum::<f64>();
+    // Where the parts of a run begin, from its start on.
+    let places = |piece: usize, run: &[usize]| -> Vec<f64> {
+        let sum = |at: &mut f64, k: &usize| {
+            *at += lengths[piece][*k];
+            Some(*at)
+        };
+        run[..run.len() - 1].iter().scan(0.0, sum).collect()
+    };
+    let unpaired = |own: usize| -> Vec<usize> {
         // A piece and its mirror image have the same marks.
         let is_other = |k: &usize| (totals[*k] / totals[own] - 1.0).abs() > tuning::SAME_PIECE;
         let others: Vec<f64> = (0..totals.len()).filter(is_other).flat_map(|k| lengths[k].iter().copied()).collect();
         let is_unpaired = |run: &Vec<usize>| {
-            let parts: Vec<f64> = run.iter().map(|k| lengths[own][*k]).collect();
-            let is = |length: f64, other: f64| libm::log(other / length).abs() < tuning::AS_LONG;
             let has = |length: f64| others.iter().any(|l| is(length, *l));
-            let whole: f64 = parts.iter().sum();
+            let whole = whole(own, run);
             let of_own = |k: usize| !run.contains(&k) && is(whole, lengths[own][k]);
-            !parts.iter().any(|l| has(*l)) && (has(whole) || (0..lengths[own].len()).any(of_own))
+            !run.iter().any(|k| has(lengths[own][*k])) && (has(whole) || (0..lengths[own].len()).any(of_own))
         };
-        let unpaired: Vec<usize> =
-            outline.smooth_runs().into_iter().filter(is_unpaired).flat_map(|run| run[1..].to_vec()).collect();
+        let of_run = |run: &Vec<usize>| -> Vec<usize> {
+            if is_unpaired(run) {
+                return run[1..].to_vec();
+            }
+            let length = whole(own, run);
+            let mates = (0..totals.len()).filter(is_other).flat_map(|k| runs[k].iter().map(move |r| (k, r)));
+            let mates: Vec<(usize, &Vec<usize>)> =
+                mates.filter(|(k, r)| length > tuning::GRADED_RUN && is(length, whole(*k, r))).collect();
+            // The other side is walked the other way.
+            let of_mates: Vec<f64> = mates.iter().flat_map(|(k, r)| places(*k, r)).map(|at| length - at).collect();
+            let is_met = |at: f64| of_mates.iter().any(|m| (m - at).abs() < tuning::SAME_PLACE);
+            let parts = run[1..].iter().zip(places(own, run));
+            parts.filter(|(_, at)| !mates.is_empty() && !is_met(*at)).map(|(k, _)| *k).collect()
+        };
+        runs[own].iter().flat_map(of_run).collect()
+    };
+    let unpaired: Vec<Vec<usize>> = (0..totals.len()).map(unpaired).collect();
+    for (outline, unpaired) in outlines.iter_mut().zip(unpaired) {
         let mut number = 0..;
         outline.cuts.retain(|_| number.next().is_none_or(|k| !unpaired.contains(&k)));
     }

@@ -28,16 +28,21 @@ pub struct Knowledge<'a> {
     pub legs: Legs,
     /// How the sleeves are sewn.
     pub how: Sleeves,
-    /// Weights for that.
+    /// Pieces that are sewn later.
+    pub later: &'a [usize],
+    /// Weights for both.
     pub sleeve: SleeveWeights,
 }
 
 impl Knowledge<'_> {
-    /// Is the seam of a pair found later: that of a sleeve to the trunk, or of a sleeve of one piece to itself?
+    /// Is the seam of a pair found later: that of a band, of a sleeve to the trunk, or of a sleeve of one piece to itself?
     fn is_later(&self, layout: &Layout, pair: Pair) -> bool {
         let [p, q] = [pair.a, pair.b].map(|a| layout.panels[layout.atoms[a].panel].piece);
         let is_set_in = |p: usize, q: usize| self.names.is_sleeve(p) && self.names.is_off_arm(q);
         let are_sleeves = self.names.is_sleeve(p) && self.names.is_sleeve(q);
+        if self.later.contains(&p) || self.later.contains(&q) {
+            return true;
+        }
         match self.how {
             Sleeves::WithTrunk => false,
             Sleeves::Single => is_set_in(p, q) || is_set_in(q, p) || are_sleeves,

@@ -60,17 +60,19 @@ struct Rise {
 }
 
 impl Rise {
-    /// The crotch is the widest place of a leg. A flared leg is widest at the hem, and tells nothing.
+    /// The crotch is the widest place of a leg, on the side that is not flared. A leg that is flared on both sides is widest
+    /// at the hem, and tells nothing.
     fn of(layout: &Layout, panel: &Panel, up: Vec2) -> Option<Self> {
         let right = Vec2::new(up.y, -up.x);
         let points = || panel.atoms.clone().flat_map(|a| layout.atoms[a].points.iter().copied());
         let height = |p: &Vec2| p.dot(&up);
         let farthest = |way: Vec2| points().max_by(|p, q| p.dot(&way).total_cmp(&q.dot(&way)));
-        let crotch = height(&farthest(right)?).min(height(&farthest(-right)?));
         let [hem, waist] = [-up, up].map(|way| farthest(way).map(|p| height(&p)));
         let (hem, waist) = (hem?, waist?);
-        let is_flared = crotch - hem < LegWeights::default().flared * (waist - hem);
-        (!is_flared).then_some(Self { up, crotch, waist })
+        let is_flared = |at: &f64| at - hem < LegWeights::default().flared * (waist - hem);
+        let sides = [height(&farthest(right)?), height(&farthest(-right)?)];
+        let crotch = sides.into_iter().filter(|at| !is_flared(at)).min_by(f64::total_cmp)?;
+        Some(Self { up, crotch, waist })
     }
 
     /// The zone of an edge, by its middle and its slope.

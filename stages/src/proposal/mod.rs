@@ -13,6 +13,7 @@ mod edge_parts;
 mod knowledge;
 mod known;
 mod legs;
+mod likely;
 pub mod mirror;
 mod names;
 mod onward;

@@ -26,6 +26,11 @@ impl RoleNames {
         Self { roles, twins, weights: NameWeights::default() }
     }
 
+    /// Is there a piece that lies so?
+    fn has(&self, at: Height) -> bool {
+        self.roles.iter().any(|r| r.part.and_then(height) == Some(at))
+    }
+
     /// Is one of two pieces the mirrored copy of the other?
     fn are_twins(&self, a: usize, b: usize) -> bool {
         self.twins.contains(&[a, b]) || self.twins.contains(&[b, a])
@@ -68,9 +73,37 @@ impl Names for RoleNames {
         matches!((height(piece), height(other)), (Some(Arm | Neck), Some(Trunk)) | (Some(Wrist), Some(Arm)))
     }
 
+    fn is_whole_band(&self, piece: usize) -> bool {
+        let role = &self.roles[piece];
+        let is_part = |part: Part| self.roles.iter().any(|r| r.part == Some(part));
+        let is_band = match role.part {
+            Some(Part::Cuff | Part::Waistband | Part::Binding) => true,
+            // A collar on a stand goes around no neckline.
+            Some(Part::Collar) => !is_part(Part::Stand),
+            _ => false,
+        };
+        is_band && !matches!(role.facing, Some(Facing::Front | Facing::Back | Facing::Side))
+    }
+
+    fn ends(&self, band: usize, other: usize) -> bool {
+        let height = |p: usize| self.roles[p].part.and_then(height);
+        let is_leg = self.roles[other].part == Some(Part::Leg);
+        let hangs_below = || self.has(Height::Below);
+        match (height(band), height(other)) {
+            (Some(Height::Wrist), over) => over == Some(Height::Arm) || is_leg,
+            (Some(Height::Waist), Some(Height::Trunk)) => !hangs_below(),
+            _ => false,
+        }
+    }
+
     fn hangs_from_waistband(&self, piece: usize) -> bool {
         let role = &self.roles[piece];
         match role.part {
+            // The yoke of trousers or a skirt.
+            Some(Part::Yoke) => {
+                let is_bodice = |r: &Role| r.part == Some(Part::Bodice);
+                !self.has(Height::Arm) && !self.has(Height::Neck) && !self.roles.iter().any(is_bodice)
+            }
             Some(part) => height(part) == Some(Height::Below),
             // The name of a front or a back does not tell trousers from a skirt.
             None => matches!(role.facing, Some(Facing::Front | Facing::Back)),
@@ -127,7 +160,8 @@ enum Height {
 
 fn height(part: Part) -> Option<Height> {
     Some(match part {
-        Part::Collar | Part::Stand | Part::Hood => Height::Neck,
+        // A binding goes around an opening of the trunk, as a collar does.
+        Part::Collar | Part::Stand | Part::Hood | Part::Binding => Height::Neck,
         Part::Bodice | Part::Yoke => Height::Trunk,
         Part::Sleeve => Height::Arm,
         Part::Waistband => Height::Waist,
@@ -155,6 +189,7 @@ fn never_meet(a: Part, b: Part) -> bool {
 
 #[cfg(test)]
 mod tests {
+    use super::super::propose::Rim;
     use super::*;
     use toile_garment::Piece;
 
@@ -175,9 +210,14 @@ mod tests {
     #[test]
     fn a_waistband_goes_around_what_hangs_from_it() {
         let names = named(&["waistband", "front", "skirt back", "sleeve", "pocket"]);
-        let around: Vec<usize> = (1..5).filter(|other| names.goes_around(0, *other)).collect();
+        let around: Vec<usize> = (1..5).filter(|other| names.goes_around(0, *other) == Some(Rim::Upper)).collect();
         assert_eq!(around, [1, 2]);
-        assert!(!names.goes_around(1, 2));
+        assert_eq!(names.goes_around(1, 2), None);
+        // On a garment that ends at the hips it is a hem band, and a cuff ends a sleeve.
+        let names = named(&["hem rib", "front", "back", "sleeve", "cuff", "neckband"]);
+        assert_eq!([1, 2, 3].map(|p| names.goes_around(0, p)), [Some(Rim::Lower), Some(Rim::Lower), None]);
+        assert_eq!([1, 2, 3].map(|p| names.goes_around(4, p)), [None, None, Some(Rim::Lower)]);
+        assert_eq!([1, 2, 3].map(|p| names.goes_around(5, p)), [Some(Rim::Upper), Some(Rim::Upper), None]);
     }
 
     #[test]

@@ -1,11 +1,12 @@
 //! The proposal of a whole garment.
 
+use super::assignment::Assignment;
 use super::atoms::Layout;
-use super::bands::bands;
+use super::bands::{bands, whole_bands};
 use super::known::{Decisions, Known};
-use super::openings::Sewn;
+use super::openings::{Closing, Sewn};
 use super::seams::{ProposedSeam, closing_seam};
-use super::task::Task;
+use super::task::{Made, Task};
 use crate::sewing::ring::nearest_on;
 use crate::sewing::shapes::shapes;
 use toile_garment::{Diagnostic, Garment, Vec2};
@@ -24,9 +25,21 @@ pub trait Names {
     fn is_waistband(&self, piece: usize) -> bool;
     /// May a piece hang from a waistband?
     fn hangs_from_waistband(&self, piece: usize) -> bool;
-    /// May a band go all around an opening of another piece?
-    fn goes_around(&self, band: usize, other: usize) -> bool {
-        self.is_set_on(band, other) || self.is_waistband(band) && self.hangs_from_waistband(other)
+    /// Is a piece a band that goes all around an opening alone?
+    fn is_whole_band(&self, _piece: usize) -> bool {
+        false
+    }
+    /// May a band hang on the lower edge of another piece: a cuff on a sleeve, a hem band on a bodice?
+    fn ends(&self, _band: usize, _other: usize) -> bool {
+        false
+    }
+    /// The edge of another piece around which a band may go.
+    fn goes_around(&self, band: usize, other: usize) -> Option<Rim> {
+        if self.ends(band, other) {
+            return Some(Rim::Lower);
+        }
+        let is_upper = self.is_set_on(band, other) || self.is_waistband(band) && self.hangs_from_waistband(other);
+        is_upper.then_some(Rim::Upper)
     }
     /// Is a piece a sleeve?
     fn is_sleeve(&self, piece: usize) -> bool;
@@ -42,6 +55,15 @@ pub trait Names {
     fn is_off_arm(&self, piece: usize) -> bool;
     /// Are two pieces the left and the right one of a pair?
     fn are_namesakes(&self, a: usize, b: usize) -> bool;
+}
+
+/// The edge of a garment around which a band goes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Rim {
+    /// A neckline, or a waist from which something hangs.
+    Upper,
+    /// The end of a sleeve or a leg, or the hem of a bodice.
+    Lower,
 }
 
 /// Names that say nothing.
@@ -122,14 +144,13 @@ pub fn propose(garment: &Garment, names: &dyn Names, known: &Known) -> Result<Pr
     let shapes = shapes(garment)?;
     let layout = Layout::new(garment, &shapes, &garment.plan.leave_out);
     let decisions = Decisions::new(&layout, known);
-    let task = Task { garment, shapes: &shapes, layout: &layout, names, known };
+    let task = Task { garment, shapes: &shapes, layout: &layout, names, known, later: Vec::new() };
     let written = known.written.clone();
-    let Some(made) = task.made(&decisions) else {
+    let Some((made, closings, left)) = with_bands(&task, &decisions) else {
         let given = vec![true; written.len()];
         return Ok(Proposal { seams: written, given, layout, ..Proposal::default() });
     };
     let mut seams = made.seams;
-    let (closings, left) = bands(&layout, &made.assignment, names, |a| decisions.is_given(a), &made.closings);
     let is_closed = |a: usize| closings.iter().any(|c| c.has(a));
     seams.retain(|s| s.atoms.iter().all(|[a, b]| left.partner(*a) == Some(*b)));
     seams.extend(closings.iter().map(|c| closing_seam(garment, &shapes, &layout, c)));
@@ -144,6 +165,28 @@ pub fn propose(garment: &Garment, names: &dyn Names, known: &Known) -> Result<Pr
     let given = [vec![true; written.len()], vec![false; seams.len()]].concat();
     let seams = [written, seams].concat();
     Ok(Proposal { seams, given, bare: free, openings, layout })
+}
+
+/// A garment, the stretches that are sewn as a whole, and the seams that are left beside them. Whole bands are sewn last,
+/// around openings of the others: a rib is shorter than its edge, and its ends are as long as those of other ribs. A band
+/// that finds no opening takes part in the search.
+fn with_bands(task: &Task<'_>, decisions: &Decisions) -> Option<(Made, Vec<Closing>, Assignment)> {
+    let (layout, names) = (task.layout, task.names);
+    let is_given = |a: usize| decisions.is_given(a);
+    let sewn = |later: Vec<usize>| {
+        let made = Task { later, ..task.clone() }.made(decisions)?;
+        let (closings, left) = bands(layout, &made.assignment, names, is_given, &made.closings);
+        Some((made, closings, left))
+    };
+    let is_any_given = (0..layout.atoms.len()).any(is_given);
+    let later = if is_any_given { Vec::new() } else { whole_bands(layout, names) };
+    let first = sewn(later.clone())?;
+    let is_placed = |p: &usize| {
+        let panel = layout.panels.iter().find(|panel| panel.piece == *p);
+        panel.is_some_and(|panel| panel.atoms.clone().any(|a| first.1.iter().any(|c| c.has(a))))
+    };
+    let placed: Vec<usize> = later.iter().copied().filter(is_placed).collect();
+    if placed.len() == later.len() { Some(first) } else { sewn(placed) }
 }
 
 /// For every piece: is it its own mirror image? Pieces whose outlines cannot be sewn are not.

@@ -4,6 +4,7 @@
 //! both open. Here the trunk and the sleeves are sewn each for themselves, and both openings are known whole. The
 //! heights along them tell how they meet: the underarm is the lowest place of both, the shoulder the highest.
 
+use super::assignment::Assignment;
 use super::atoms::{Layout, Panel};
 use super::openings::{Closing, Sewn};
 use super::propose::Names;
@@ -213,6 +214,14 @@ struct Sleeve {
     cost: f64,
 }
 
+/// Can the outline of a piece be parted into the edges of a sleeve, with a cap that is curved?
+pub fn has_shape(layout: &Layout, panel: &Panel) -> bool {
+    let weights = SleeveWeights::default();
+    let of = Assignment::empty(layout.atoms.len());
+    let shapes = Sleeve::shapes(Sewn { layout, of: &of, closed: &[] }, panel, 0, &weights);
+    shapes.iter().any(|s| s.cap.is_curved(&weights))
+}
+
 impl Sleeve {
     /// A sleeve whose sides are sewn. The cap is one of its openings.
     fn sewn(sewn: Sewn<'_>, cap: &[usize], part: u32) -> Self {
@@ -304,6 +313,11 @@ fn to_cap(layout: &Layout, panel: usize, cap: &[usize]) -> Vec2 {
 }
 
 impl Opening {
+    /// Does it rise by enough of its length?
+    fn is_curved(&self, weights: &SleeveWeights) -> bool {
+        self.range()[1] - self.range()[0] > weights.least_height * self.length
+    }
+
     /// Measures an opening. `up` gives the upward direction on a panel.
     fn new(sewn: Sewn<'_>, atoms: &[usize], up: &dyn Fn(usize, &[usize]) -> Vec2) -> Self {
         let length = sewn.length(atoms);
@@ -411,8 +425,7 @@ fn unmet_notches(cap: &Opening, armhole: &Opening, begin: [usize; 2], reach: f64
 /// The beginning at which a cap fits an armhole best, and its cost.
 fn best_fit(cap: &Opening, armhole: &Opening, weights: &SleeveWeights) -> Option<([usize; 2], f64)> {
     let ratio = cap.length / armhole.length;
-    let is_curved = |o: &Opening| o.range()[1] - o.range()[0] > weights.least_height * o.length;
-    if !weights.ratio.contains(&ratio) || !is_curved(cap) || !is_curved(armhole) {
+    if !weights.ratio.contains(&ratio) || !cap.is_curved(weights) || !armhole.is_curved(weights) {
         return None;
     }
     let ease = weights.ease * libm::log(ratio) * libm::log(ratio);

@@ -6,6 +6,7 @@ use super::confidence::margins;
 use super::knowledge::{Knowledge, Sleeves};
 use super::known::{Decisions, Known};
 use super::legs::Legs;
+use super::likely::{WithSleeves, likely_sleeves};
 use super::mirror::{Mirror, maps};
 use super::onward::onward;
 use super::openings::{Closing, Sewn};
@@ -23,6 +24,7 @@ use rayon::prelude::*;
 use toile_garment::{Garment, Vec2};
 
 /// A garment to be sewn.
+#[derive(Clone)]
 pub struct Task<'a> {
     /// The garment.
     pub garment: &'a Garment,
@@ -34,6 +36,8 @@ pub struct Task<'a> {
     pub names: &'a dyn Names,
     /// Decisions of a person.
     pub known: &'a Known,
+    /// Pieces that are sewn later.
+    pub later: Vec<usize>,
 }
 
 /// A sewn garment.
@@ -61,8 +65,11 @@ impl Task<'_> {
     pub fn made(&self, decisions: &Decisions) -> Option<Made> {
         let is_given = (0..self.layout.atoms.len()).any(|a| decisions.is_given(a));
         let sleeves = self.layout.panels.iter().filter(|p| self.names.is_sleeve(p.piece)).count();
-        if is_given || sleeves == 0 {
+        if is_given {
             return self.with_trunk();
+        }
+        if sleeves == 0 {
+            return self.with_likely_sleeves();
         }
         let mut made = self.with_trunk()?;
         // Halves of sleeves may be gathered; marks of a sleeve that is one piece meet within its ease.
@@ -89,6 +96,26 @@ impl Task<'_> {
         }
         let set_in = self.set_in(Sleeves::Single).or_else(|| self.set_in(Sleeves::Halves));
         set_in.map(|(set_in, _)| set_in).or(Some(made))
+    }
+
+    /// A garment without a named sleeve. Where the shapes of two pieces allow that they are its sleeves, and they fit the
+    /// armholes of the others, they are.
+    fn with_likely_sleeves(&self) -> Option<Made> {
+        let plain = self.with_trunk()?;
+        let ease = SleeveWeights::default().whole_ease;
+        for pair in likely_sleeves(self.layout) {
+            let names = WithSleeves { names: self.names, sleeves: pair };
+            let task = Task { names: &names, ..self.clone() };
+            if task.are_tubes(&plain.assignment) && are_whole(task.sewn(&plain.assignment, &[]), &names, ease) {
+                return Some(plain);
+            }
+            if let Some((set_in, _)) =
+                task.set_in(Sleeves::Single).filter(|(_, likely)| *likely >= tuning::SURELY_SET_IN)
+            {
+                return Some(set_in);
+            }
+        }
+        Some(plain)
     }
 
     fn sewn<'b>(&'b self, of: &'b Assignment, closed: &'b [Closing]) -> Sewn<'b> {
@@ -154,7 +181,7 @@ impl Task<'_> {
         let (layout, names) = (self.layout, self.names);
         let decisions = Decisions::new(layout, self.known);
         let legs = Legs::new(layout, names, &self.up());
-        let knowledge = Knowledge { names, decisions, legs, how, sleeve: SleeveWeights::default() };
+        let knowledge = Knowledge { names, decisions, legs, how, later: &self.later, sleeve: SleeveWeights::default() };
         let mut scores = scores(layout, &knowledge);
         let wholes: Vec<Whole<'_>> = scores.iter().map(|scores| self.whole(scores, &weights, how)).collect();
         let (map, found) = search_all(layout, &wholes, effort)?;

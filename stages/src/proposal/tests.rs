@@ -95,6 +95,89 @@ fn a_place_of_grading_on_one_side_of_a_seam_does_not_part_it() {
 }
 
 #[test]
+fn places_of_grading_elsewhere_on_both_sides_of_a_seam_do_not_part_it() {
+    let graded = |name: &str, top: f64, share: f64| {
+        let right = |share: f64| (top + 150.0 - 75.0 * share, 600.0 * share, 't');
+        let left = |share: f64| (75.0 * share, 600.0 * share, 't');
+        piece(
+            0,
+            name,
+            &[left(0.0), right(0.0), right(share), right(0.8), right(1.0), left(1.0), left(0.8), left(share)],
+        )
+    };
+    // The place at 0.8 of both is a mark that meets its like.
+    let skirt = garment(vec![graded("front", 350.0, 0.2), graded("back", 390.0, 0.37)]);
+    let layout = Layout::new(&skirt, &shapes(&skirt).expect("shapes"), &[]);
+    assert_eq!(layout.panels.iter().map(|p| p.atoms.len()).collect::<Vec<_>>(), [6, 6]);
+}
+
+#[test]
+fn ribs_are_sewn_last_around_the_openings_of_the_others() {
+    let neckline = 2.0 * (libm::hypot(60.0, 120.0) + libm::hypot(60.0, 60.0));
+    let rib = |name: &str, length: f64, height: f64| rectangle(0, name, length, height);
+    // The hem rib is as long as the hem of the front with its side, and all ends are alike.
+    let pieces = vec![
+        top("front", 120.0),
+        top("back", 60.0),
+        sleeve("left sleeve"),
+        sleeve("right sleeve"),
+        rib("hem rib", 0.85 * 960.0, 60.0),
+        rib("neck rib", 0.85 * neckline, 60.0),
+        rib("left cuff", 0.7 * 300.0, 60.0),
+        rib("right cuff", 0.7 * 300.0, 60.0),
+    ];
+    let top = garment(pieces);
+    let proposal = propose(&top, &RoleNames::new(&top), &Known::default()).expect("proposal");
+    let rings = |band: usize| {
+        let of_band = proposal.seams.iter().filter(move |s| s.b[0].piece == band && s.a[0].piece != band);
+        of_band.map(|s| (s.length_a, s.a.iter().map(|r| r.piece).collect::<Vec<_>>())).collect::<Vec<_>>()
+    };
+    for (band, length, places) in
+        [(4, 960.0, vec![0, 1]), (5, neckline, vec![0, 1]), (6, 300.0, vec![2]), (7, 300.0, vec![3])]
+    {
+        let [(around, pieces)] = &rings(band)[..] else { panic!("{band}: {:?}", sewn(&top, &proposal)) };
+        assert!((around - length * 1e-3).abs() < 1e-6, "{band}: {around}");
+        assert!(places.iter().all(|p| pieces.contains(p)), "{band}: {pieces:?}");
+    }
+}
+
+#[test]
+fn sleeves_without_a_name_are_found_by_their_shape() {
+    let lopsided = |side: f64| {
+        let mut all: Vec<(f64, f64, char)> = vec![
+            (0.0, 0.0, 't'),
+            (300.0, 0.0, 't'),
+            (330.0, 100.0, 't'),
+            (285.0, 160.0, 'c'),
+            (200.0, 215.0, 'c'),
+            (150.0, 225.0, 'c'),
+            (100.0, 215.0, 'c'),
+            (30.0, 160.0, 'c'),
+            (-30.0, 100.0, 't'),
+        ];
+        all.iter_mut().for_each(|p| p.0 *= side);
+        if side < 0.0 {
+            all.reverse();
+        }
+        piece(0, if side > 0.0 { "P3" } else { "P4" }, &all)
+    };
+    let top = garment(vec![top("P1", 120.0), top("P2", 60.0), lopsided(1.0), lopsided(-1.0)]);
+    let proposal = propose(&top, &Nameless, &Known::default()).expect("proposal");
+    let has = |runs: &[Run], p: usize| runs.iter().any(|r| r.piece == p);
+    for sleeve in [2, 3] {
+        let own = proposal.seams.iter().filter(|s| has(&s.a, sleeve) && has(&s.b, sleeve)).count();
+        let on: f64 = proposal
+            .seams
+            .iter()
+            .filter(|s| has(&s.a, sleeve) != has(&s.b, sleeve))
+            .map(|s| if has(&s.a, sleeve) { s.length_b } else { s.length_a })
+            .sum();
+        let armhole = 2.0 * (libm::hypot(50.0, 80.0) + libm::hypot(10.0, 140.0)) * 1e-3;
+        assert!(own == 1 && (on - armhole).abs() < 1e-6, "{own} {on} {armhole}: {:?}", sewn(&top, &proposal));
+    }
+}
+
+#[test]
 fn the_same_pieces_give_the_same_proposal() {
     let skirt = skirt();
     let (one, two) = (

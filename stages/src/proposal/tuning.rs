@@ -1,6 +1,7 @@
 //! The tuned numbers of the proposal. Evidence: `docs/lab/2026-11-27-seam-proposals.md`.
 
 use super::atoms::Mark;
+use super::propose::Rim;
 
 /// Stations at which the course of an edge is compared.
 pub const STATIONS: usize = 16;
@@ -18,6 +19,9 @@ pub const FLAT_CORNER: f64 = 0.17;
 /// Stretches are as long as each other where their lengths differ by less: |ln(length / length)|. The
 /// proposals of 34 known garments are the same with and without the rule that uses it.
 pub const AS_LONG: f64 = 0.01;
+/// Two runs with grade points of their own are the sides of a seam only where they are longer (metres). A raglan sleeve
+/// has 270 and 330 mm (GMH2446).
+pub const GRADED_RUN: f64 = 0.15;
 /// Outlines whose lengths differ by less, as a share, are of one piece and its mirror image or copy.
 pub const SAME_PIECE: f64 = 1e-3;
 /// The outlines of a piece and of its mirror image lie apart by no more (metres).
@@ -280,9 +284,15 @@ impl WholeWeights {
         }
     }
 
-    /// The corners round a place inside.
+    /// The corners round a place inside. Two pieces may have inner corners of one kind, as under the arm of a kimono sleeve:
+    /// the seam goes round both.
     pub fn closed_fan(&self, corners: usize, sum: f64) -> f64 {
-        if corners == 1 { self.folded_corner } else { step(&self.shut, sum.to_degrees() - 360.0) }
+        let off = sum.to_degrees() - 360.0;
+        match corners {
+            1 => self.folded_corner,
+            2 => step(&self.shut, off.min(0.0)),
+            _ => step(&self.shut, off),
+        }
     }
 
     /// An opening of this length, metres.
@@ -366,6 +376,8 @@ pub fn confidence(margin: f64) -> f64 {
 pub const UNLIKELY_PAIR: f64 = -6.0;
 /// Likelihood of such a seam at most.
 pub const UNLIKELY_MOST: f64 = 0.5;
+/// Sleeves that no name tells are looked for in garments of so few pairs of pieces at most.
+pub const FEW_PAIRS: usize = 2;
 /// Sleeves that are set in with this likelihood are none that reach up to the neckline. Two T-shirts
 /// that the search took for raglans have 0.8 (GMH1006). Four raglans stay raglans (GMH1406, GMX1406, GMX1416).
 pub const SURELY_SET_IN: f64 = 0.6;
@@ -455,6 +467,13 @@ pub struct BandWeights {
     pub band_usual: f64,
     /// Most that it differs from that.
     pub band_spread: f64,
+    /// The same of a waistband, to which cloth is gathered or pleated.
+    pub waist_spread: f64,
+    /// The same of a cuff on a sleeve, or a band at a hem. Ribs of sweatshirts have 0.69 to 0.87 (GMH2446), cuffs of shirts
+    /// on pleats 0.89.
+    pub end_usual: f64,
+    /// Most that it differs from that.
+    pub end_spread: f64,
     /// Two ends of a band, and a long side and what it is sewn to, differ by less: logarithm of their ratio.
     pub band_ends: f64,
     /// A long side of a band is at least so many times as long as its ends.
@@ -471,11 +490,25 @@ pub struct BandWeights {
     pub confidence: f64,
 }
 
+impl BandWeights {
+    /// Usual length of a band over that of a rim, and most that it differs.
+    pub fn usual(&self, rim: Rim, is_waistband: bool) -> [f64; 2] {
+        match rim {
+            Rim::Upper if is_waistband => [self.band_usual, self.waist_spread],
+            Rim::Upper => [self.band_usual, self.band_spread],
+            Rim::Lower => [self.end_usual, self.end_spread],
+        }
+    }
+}
+
 impl Default for BandWeights {
     fn default() -> Self {
         Self {
             band_usual: 0.9,
             band_spread: 0.2,
+            waist_spread: 0.4,
+            end_usual: 0.85,
+            end_spread: 0.3,
             band_ends: 0.1,
             band_least: 3.0,
             twin: 3e-3,

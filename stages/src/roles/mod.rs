@@ -31,8 +31,10 @@ pub enum Part {
     Pocket,
     /// Strip at an opening.
     Placket,
-    /// Loop for a belt.
+    /// Loop for a belt, or a belt that is tied.
     BeltLoop,
+    /// Strip that is folded around an edge.
+    Binding,
     /// Shoulder strap.
     Strap,
     /// Wedge let into a seam.
@@ -63,13 +65,14 @@ pub enum Part {
 
 impl Part {
     /// All parts; where a name tells two, the earlier one is meant: a sleeve placket is a placket.
-    pub const ALL: [Self; 19] = [
+    pub const ALL: [Self; 20] = [
         Self::Lining,
         Self::Interlining,
         Self::Facing,
         Self::Pocket,
         Self::Placket,
         Self::BeltLoop,
+        Self::Binding,
         Self::Strap,
         Self::Godet,
         Self::Cuff,
@@ -95,6 +98,7 @@ impl Part {
             Self::Pocket => "pocket",
             Self::Placket => "placket",
             Self::BeltLoop => "belt loop",
+            Self::Binding => "binding",
             Self::Strap => "strap",
             Self::Godet => "godet",
             Self::Cuff => "cuff",

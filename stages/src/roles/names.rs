@@ -45,13 +45,14 @@ fn role_of_category(text: &str) -> Role {
     if is_interlining { Role { part: Some(Part::Interlining), confidence: WORD, ..role } } else { role }
 }
 
-/// Fronts and backs in a garment with sleeves, a collar, a hood or a yoke, and without a part from the waist down: they
-/// are of a bodice.
+/// Fronts and backs in a garment with sleeves, a collar, a hood or a yoke, and without a skirt or legs: they are of
+/// a bodice. A waistband of such a garment is a band at its hem.
 fn find_tops(roles: &mut [Role]) {
     let has = |parts: &[Part]| roles.iter().any(|r| r.part.is_some_and(|p| parts.contains(&p)));
-    if !has(&[Part::Sleeve, Part::Collar, Part::Stand, Part::Hood, Part::Yoke])
-        || has(&[Part::Skirt, Part::Leg, Part::Waistband, Part::Tier])
-    {
+    // A yoke over a waistband is that of a skirt or of trousers.
+    let is_top =
+        has(&[Part::Sleeve, Part::Collar, Part::Stand, Part::Hood]) || has(&[Part::Yoke]) && !has(&[Part::Waistband]);
+    if !is_top || has(&[Part::Skirt, Part::Leg, Part::Tier]) {
         return;
     }
     let is_top = |r: &&mut Role| r.part.is_none() && matches!(r.facing, Some(Facing::Front | Facing::Back));
@@ -309,6 +310,10 @@ mod tests {
             ("Полочка", None, front, None),
             ("Tay áo trái", Some(Part::Sleeve), None, Some(Lateral::Left)),
             ("Thân trước", Some(Part::Bodice), front, None),
+            ("下摆罗纹", Some(Part::Waistband), None, None),
+            ("AERMELSCHLITZ", Some(Part::Placket), None, None),
+            ("Paspel", Some(Part::Binding), None, None),
+            ("BINDING NECKHOLE", Some(Part::Binding), None, None),
             ("BackYoke", Some(Part::Yoke), back, None),
             ("COLLOR", Some(Part::Collar), None, None),
             ("FRONTR", None, front, Some(Lateral::Right)),

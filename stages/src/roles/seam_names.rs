@@ -90,6 +90,7 @@ fn word(a: Kind, b: Kind, is_own: bool, course: Course) -> Option<&'static str> 
         (Part::Pocket, _) => "pocket",
         (Part::Placket, _) => "placket",
         (Part::BeltLoop, _) => "belt loop",
+        (Part::Binding, _) => "binding",
         (Part::Strap, _) => "strap",
         (Part::Godet, _) => "godet",
         (Part::Cuff, Part::Cuff) => "cuff seam",

@@ -88,9 +88,9 @@ pub const WORDS: &[(Meaning, [&[&str]; 10])] = &[
         [
             &["placket", "plkt", "fly"],
             &["门襟", "前立", "袖衩", "門襟"],
-            &["knopfleiste", "schlitzbesatz", "leiste"],
+            &["knopfleiste", "schlitzbesatz", "leiste", "untertritt", "armelschlitz", "hosenschlitz", "aermelschlitz"],
             &["patte de boutonnage", "braguette"],
-            &["tapeta", "carterita"],
+            &["tapeta", "carterita", "bragueta"],
             &["abbottonatura", "cannoncino"],
             &["carcela", "vista de botao"],
             &["pat", "patlet"],
@@ -101,16 +101,31 @@ pub const WORDS: &[(Meaning, [&[&str]; 10])] = &[
     (
         P(Part::BeltLoop),
         [
-            &["belt loop", "beltloop", "loop"],
+            &["belt loop", "beltloop", "loop", "sash", "tie belt"],
             &["裤耳", "耳仔", "串带"],
-            &["guertelschlaufe", "schlaufe"],
+            &["guertelschlaufe", "schlaufe", "gurtel", "guertel"],
             &["passant"],
-            &["trabilla", "presilla"],
+            &["trabilla", "presilla", "cinturon"],
             &["passante"],
             &["passador"],
-            &["kopru", "kemer koprusu"],
+            &["kopru", "kemer koprusu", "kusak"],
             &["шлевка"],
             &["dia", "con dia"],
+        ],
+    ),
+    (
+        P(Part::Binding),
+        [
+            &["binding", "bias strip", "bias tape", "piping"],
+            &["包边", "滚条", "滚边", "包邊", "斜条"],
+            &["einfassung", "schragband", "schraegband", "paspel"],
+            &["biais", "passepoil", "ganse"],
+            &["ribete", "vivo", "sesgo"],
+            &["sbieco", "profilo", "bordino"],
+            &["vies", "debrum"],
+            &["biye"],
+            &["бейка", "окантовк", "кант"],
+            &["vien"],
         ],
     ),
     (
@@ -146,7 +161,7 @@ pub const WORDS: &[(Meaning, [&[&str]; 10])] = &[
     (
         P(Part::Cuff),
         [
-            &["cuff", "cu", "cf"],
+            &["cuff", "cu"],
             &["袖口", "克夫", "介英", "脚口"],
             &["manschette", "bundchen", "buendchen"],
             &["poignet", "manchette"],
@@ -223,9 +238,9 @@ pub const WORDS: &[(Meaning, [&[&str]; 10])] = &[
     (
         P(Part::Waistband),
         [
-            &["waistband", "waist band", "waist", "wb", "wa", "wbd"],
-            &["腰头", "腰带", "裤头", "腰"],
-            &["bund", "hosenbund", "rockbund"],
+            &["waistband", "waist band", "waist", "wb", "wa", "wbd", "hem rib", "hem band", "bottom rib"],
+            &["腰头", "腰带", "裤头", "腰", "下摆罗纹", "下摆"],
+            &["bund", "hosenbund", "rockbund", "saumbund"],
             &["ceinture"],
             &["pretina", "cinturilla"],
             &["cintura", "cinturino"],
@@ -287,7 +302,7 @@ pub const WORDS: &[(Meaning, [&[&str]; 10])] = &[
             &["裤"],
             &["hose", "hosenteil", "hosenbein"],
             &["pantalon", "jambe", "short"],
-            &["pantalon", "pierna"],
+            &["pantalon", "pierna", "vaquero", "tejano"],
             &["pantalone", "pantaloni", "gamba"],
             &["calca", "perna"],
             &["pantolon", "bacak"],
