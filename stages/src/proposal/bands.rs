@@ -111,12 +111,11 @@ impl Bands<'_> {
     /// The rim that an opening is for a band; `None` where it goes around others.
     fn rim(&self, panel: &Panel, opening: &[usize], openings: &[Vec<usize>]) -> Option<Rim> {
         let rim = |a: &usize| self.names.goes_around(panel.piece, self.sewn.piece(*a));
-        let is_low = |a: &usize| self.sewn.layout.atoms[*a].is_low();
         // The tops of raglan sleeves are a part of the neckline.
         let is_upper = |a: &usize| rim(a) == Some(Rim::Upper) || self.names.is_sleeve(self.sewn.piece(*a));
         if opening.iter().any(|a| rim(a) == Some(Rim::Upper)) {
             let is_single = !self.has_twin(panel);
-            let is_place = opening.iter().all(|a| is_upper(a) && !is_low(a));
+            let is_place = opening.iter().all(is_upper) && !self.is_low(opening);
             return (is_place && !(is_single && self.is_one_of_pair(opening, openings))).then_some(Rim::Upper);
         }
         let is_end = opening.iter().all(|a| rim(a) == Some(Rim::Lower));

@@ -11,6 +11,7 @@ use toile_garment::Vec2;
 /// The part of a leg on which an edge lies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Zone {
+    Hem,
     BelowCrotch,
     Rise,
     Waist,
@@ -41,6 +42,8 @@ impl Legs {
         match [self.zones[pair.a], self.zones[pair.b]] {
             [Some(zone), None] if names.is_waistband(q) && !fits(zone) => weights.off_waist,
             [None, Some(zone)] if names.is_waistband(p) && !fits(zone) => weights.off_waist,
+            // A hem is open, but for what goes on below it.
+            [Some(Zone::Hem), Some(zone)] | [Some(zone), Some(Zone::Hem)] if zone != Zone::Waist => weights.hem_closed,
             [Some(a), Some(b)] if names.are_namesakes(p, q) => match [a, b] {
                 [Zone::Rise, Zone::Rise] if are_images => weights.rise,
                 [Zone::Rise, Zone::Rise] => 0.0,
@@ -54,7 +57,8 @@ impl Legs {
 /// The part of a leg between the crotch and the waist.
 struct Rise {
     up: Vec2,
-    /// Heights of the crotch and of the waist, metres along `up`.
+    /// Heights of the hem, of the crotch and of the waist, metres along `up`.
+    hem: f64,
     crotch: f64,
     waist: f64,
 }
@@ -72,7 +76,7 @@ impl Rise {
         let is_flared = |at: &f64| at - hem < LegWeights::default().flared * (waist - hem);
         let sides = [height(&farthest(right)?), height(&farthest(-right)?)];
         let crotch = sides.into_iter().filter(|at| !is_flared(at)).min_by(f64::total_cmp)?;
-        Some(Self { up, crotch, waist })
+        Some(Self { up, hem, crotch, waist })
     }
 
     /// The zone of an edge, by its middle and its slope.
@@ -80,7 +84,9 @@ impl Rise {
         let (start, end) = (points[0], points[points.len() - 1]);
         let middle = 0.5 * (start + end).dot(&self.up);
         let is_level = (end - start).dot(&self.up).abs() < FRAC_1_SQRT_2 * (end - start).norm();
-        if middle <= self.crotch {
+        if is_level && middle < self.hem + LegWeights::default().hem * (self.waist - self.hem) {
+            Zone::Hem
+        } else if middle <= self.crotch {
             Zone::BelowCrotch
         } else if is_level && middle > 0.5 * (self.crotch + self.waist) {
             Zone::Waist

@@ -530,13 +530,17 @@ pub struct LegWeights {
     pub off_rise: f64,
     /// Score of sewing a waistband to another place than the waist, or of gathering it by [`SET_ON_GATHER`] there.
     pub off_waist: f64,
+    /// A level edge that lies lower, as a share of the height of the piece, is the hem.
+    pub hem: f64,
+    /// Score of sewing a hem to another edge of a leg than its top. Culottes of our own sewed the hem to the inseam, which is as long.
+    pub hem_closed: f64,
     /// The widest place of a flared leg lies lower, as a share of the height of the piece.
     pub flared: f64,
 }
 
 impl Default for LegWeights {
     fn default() -> Self {
-        Self { rise: 3.0, off_rise: -12.0, off_waist: -12.0, flared: 0.15 }
+        Self { rise: 3.0, off_rise: -12.0, off_waist: -12.0, flared: 0.15, hem: 0.08, hem_closed: -12.0 }
     }
 }
 
