@@ -45,12 +45,12 @@ fn role_of_category(text: &str) -> Role {
     if is_interlining { Role { part: Some(Part::Interlining), confidence: WORD, ..role } } else { role }
 }
 
-/// Fronts and backs in a garment with sleeves, a collar, a hood, straps or a yoke, and without a skirt or legs: they are of
+/// Fronts and backs in a garment with sleeves, a collar, a hood, straps, a binding or a yoke, and without a skirt or legs: they are of
 /// a bodice. A waistband of such a garment is a band at its hem.
 fn find_tops(roles: &mut [Role]) {
     let has = |parts: &[Part]| roles.iter().any(|r| r.part.is_some_and(|p| parts.contains(&p)));
     // A yoke over a waistband is that of a skirt or of trousers.
-    let is_top = has(&[Part::Sleeve, Part::Collar, Part::Stand, Part::Hood, Part::Strap])
+    let is_top = has(&[Part::Sleeve, Part::Collar, Part::Stand, Part::Hood, Part::Strap, Part::Binding])
         || has(&[Part::Yoke]) && !has(&[Part::Waistband]);
     if !is_top || has(&[Part::Skirt, Part::Leg, Part::Tier]) {
         return;
