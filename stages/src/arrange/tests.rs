@@ -134,6 +134,24 @@ fn the_deeper_neckline_is_the_front() {
 }
 
 #[test]
+fn a_band_at_the_hem_lifts_no_shirt_to_the_waist() {
+    // Without a shoulder seam, as of a raglan, nothing but the sleeves tells the height.
+    let heights = |has_band: bool| {
+        let (mut pieces, mut joins) = shirt(["front bodice", "back bodice", "sleeve left", "sleeve right"]);
+        joins.retain(|j| j.name != "shoulder");
+        if has_band {
+            let band = [[-240.0, 0.0], [240.0, 0.0], [240.0, 60.0], [-240.0, 60.0]];
+            pieces.push(piece(4, "hem rib", &corners(&band)));
+            joins.push(join("hem", (0, [[-250.0, 0.0], [250.0, 0.0]]), (4, [[-240.0, 60.0], [0.0, 60.0]])));
+            joins.push(join("hem", (1, [[-250.0, 0.0], [250.0, 0.0]]), (4, [[0.0, 60.0], [240.0, 60.0]])));
+        }
+        let arrangement = arranged(&pieces, &joins);
+        [0, 1].map(|i| middle(&arrangement, &pieces, i).y)
+    };
+    assert_eq!(heights(true), heights(false));
+}
+
+#[test]
 fn trousers_are_held_at_the_waist_and_their_legs_lie_side_by_side() {
     let (pieces, joins) = trousers();
     let a = arranged(&pieces, &joins);
