@@ -164,9 +164,7 @@ pub fn maps(layout: &Layout, namesakes: &dyn Fn(usize, usize) -> bool) -> Vec<Mi
         };
         let mut next = Vec::new();
         for map in &maps {
-            // Straps are their own images, and one lies on either side.
-            let has_fellow = |p: &usize| group.iter().any(|q| p != q && namesakes(*p, *q));
-            let pairs_up = group.len() % 2 == 0 && (chiral || group.iter().all(has_fellow));
+            let pairs_up = group.len() % 2 == 0 && chiral;
             if group.len() <= 2 {
                 next.push(single(map));
             }

@@ -106,7 +106,7 @@ fn places_of_grading_elsewhere_on_both_sides_of_a_seam_do_not_part_it() {
         )
     };
     // The place at 0.8 of both is a mark that meets its like.
-    let skirt = garment(vec![graded("front", 350.0, 0.2), graded("back", 390.0, 0.37)]);
+    let skirt = garment(vec![graded("front", 350.0, 0.25), graded("back", 390.0, 0.37)]);
     let layout = Layout::new(&skirt, &shapes(&skirt).expect("shapes"), &[]);
     assert_eq!(layout.panels.iter().map(|p| p.atoms.len()).collect::<Vec<_>>(), [6, 6]);
 }

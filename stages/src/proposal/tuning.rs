@@ -284,15 +284,9 @@ impl WholeWeights {
         }
     }
 
-    /// The corners round a place inside. Two pieces may have inner corners of one kind, as under the arm of a kimono sleeve:
-    /// the seam goes round both.
+    /// The corners round a place inside.
     pub fn closed_fan(&self, corners: usize, sum: f64) -> f64 {
-        let off = sum.to_degrees() - 360.0;
-        match corners {
-            1 => self.folded_corner,
-            2 => step(&self.shut, off.min(0.0)),
-            _ => step(&self.shut, off),
-        }
+        if corners == 1 { self.folded_corner } else { step(&self.shut, sum.to_degrees() - 360.0) }
     }
 
     /// An opening of this length, metres.
