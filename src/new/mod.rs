@@ -138,7 +138,7 @@ fn worn(order: &Order<'_>, source: &Source, proposal: &Proposal) -> Result<Worn,
         body = other;
         findings.push(finding);
     }
-    let narrow = || opened.model.as_ref().and_then(|b| fits::narrow(garment, &dressed, b));
+    let narrow = || opened.model.as_ref().and_then(|b| fits::narrow(&source.garment, &dressed, b));
     let knit = order.knit.as_ref().and_then(|knit| Some((knit, narrow()?)));
     if let Some((knit, girths)) = knit {
         let message = format!("the garment has {girths}, so it is a knit: {} was chosen", knit.name());
