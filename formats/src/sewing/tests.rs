@@ -112,8 +112,8 @@ fn finds_all_mistakes_at_once() {
         [
             ("sewing-key-missing".to_owned(), 1, 1),
             ("sewing-bare-number".to_owned(), 3, 8),
-            ("sewing-unknown-word".to_owned(), 6, 10),
             ("sewing-key-missing".to_owned(), 4, 1),
+            ("sewing-unknown-word".to_owned(), 6, 10),
             ("sewing-unknown-key".to_owned(), 8, 1),
             ("sewing-unknown-key".to_owned(), 9, 3),
         ]
