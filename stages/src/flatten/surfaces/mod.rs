@@ -780,7 +780,7 @@ fn a_piece_that_lies_over_itself_is_told_and_does_not_pass() {
     let told = |by: f64| {
         let g = wider(by);
         let (flat, codes) = codes_of(&g, &FlattenParams::default());
-        let all = super::verdict::verdicts(&g, &flat, &FlattenTolerance::default()).expect("verdicts");
+        let all = verdict::verdicts(&g, &flat, &FlattenTolerance::default()).expect("verdicts");
         (codes.iter().any(|c| c == "flatten-overlap"), all[0].fails().join(", "))
     };
     assert_eq!(told(1.01), (false, String::new()));
