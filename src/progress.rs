@@ -253,12 +253,12 @@ impl Pace {
         let (at, part) = self.grown;
         let whole = at.duration_since(self.started).as_secs_f64() * (1.0 - part) / part;
         let left = whole - now.duration_since(at).as_secs_f64();
-        ((EARLY..1.0).contains(&part) && left >= 1.0).then_some(left)
+        ((EARLY..1.0).contains(&part) && left > 0.0).then_some(left)
     }
 }
 
 fn in_words(left: Option<f64>) -> String {
-    left.map_or_else(String::new, |s| format!(", about {s:.0} s left"))
+    left.filter(|s| *s >= 0.5).map_or_else(String::new, |s| format!(", about {s:.0} s left"))
 }
 
 fn make_bar() -> ProgressBar {

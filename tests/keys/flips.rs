@@ -126,7 +126,7 @@ pub const STAGES: &[Flip] = &[
     row("pattern", "drape.limits", "{ strain_max = 1e-9 }"),
     given("pattern", &[EXPLICIT], "drape.max_time", "\"10 ms\""),
     row("pattern", "drape.model", "\"springs\""),
-    given("pattern", &[EXPLICIT_SEWING, "stitch.max_time=\"1 ms\""], "drape.open_seams", "\"1 mm\""),
+    given("pattern", &[EXPLICIT_SEWING, "stitch.max_time=\"1 ms\""], "drape.open_seams", "\"10 m\""),
     row("pattern", "drape.pressure", "\"5 Pa\""),
     row("pattern", "drape.repeats", "1"),
     row("pattern", "drape.self_gap", "\"4 mm\""),

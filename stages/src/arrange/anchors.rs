@@ -48,9 +48,10 @@ fn shoulders(d: &Dresser<'_>, group: &[usize]) -> Vec<Anchor> {
 
 /// Seams between the trunk and what hangs from it lie at the waist. A waistband with nothing below it is a band at the hem.
 fn waist_seams(d: &Dresser<'_>, group: &[usize]) -> Vec<Anchor> {
-    let is_below = |k: usize| matches!(d.part(k), Some(Part::Skirt | Part::Leg));
-    let has_below = (0..d.roles.len()).any(is_below);
-    let hangs = |k: usize| is_below(k) || has_below && d.part(k) == Some(Part::Waistband);
+    let hangs = |k: usize| match d.part(k) {
+        Some(Part::Waistband) => d.has_below(),
+        part => matches!(part, Some(Part::Skirt | Part::Leg)),
+    };
     let mut anchors = Vec::new();
     for i in group {
         for t in d.threads[*i].iter().filter(|t| hangs(t.other.piece)) {

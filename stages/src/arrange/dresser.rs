@@ -158,6 +158,11 @@ impl<'a> Dresser<'a> {
         pairs.map(sense).sum::<f64>() > 0.0
     }
 
+    /// Has the garment a skirt or legs? A waistband of a garment without them is a band at the hem.
+    pub fn has_below(&self) -> bool {
+        (0..self.roles.len()).any(|k| matches!(self.part(k), Some(Part::Skirt | Part::Leg)))
+    }
+
     /// The stands over which a collar is turned down; none for another piece.
     pub fn stands_under(&self, i: usize) -> impl Iterator<Item = usize> + '_ {
         let is_collar = self.part(i) == Some(Part::Collar);

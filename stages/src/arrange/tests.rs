@@ -152,6 +152,21 @@ fn a_band_at_the_hem_lifts_no_shirt_to_the_waist() {
 }
 
 #[test]
+fn a_band_at_the_hem_hangs_from_the_edge_by_which_it_is_sewn() {
+    for (low, high) in [(0.0, 60.0), (60.0, 0.0)] {
+        let (mut pieces, mut joins) = shirt(["front bodice", "back bodice", "sleeve left", "sleeve right"]);
+        let band = [[-240.0, 0.0], [240.0, 0.0], [240.0, 60.0], [-240.0, 60.0]];
+        pieces.push(piece(4, "hem rib", &corners(&band)));
+        joins.push(join("hem", (0, [[-250.0, 0.0], [250.0, 0.0]]), (4, [[-240.0, high], [0.0, high]])));
+        joins.push(join("hem", (1, [[-250.0, 0.0], [250.0, 0.0]]), (4, [[0.0, high], [240.0, high]])));
+        let arrangement = arranged(&pieces, &joins);
+        let sheet = &arrangement.places[4].as_ref().expect("a place").sheet;
+        let height = |y: f64| sheet.at(Vec2::new(0.0, y * 1e-3)).y;
+        assert!(height(high) > height(low) + 0.05, "{} {}", height(high), height(low));
+    }
+}
+
+#[test]
 fn trousers_are_held_at_the_waist_and_their_legs_lie_side_by_side() {
     let (pieces, joins) = trousers();
     let a = arranged(&pieces, &joins);

@@ -17,6 +17,8 @@ pub fn turn_of(d: &Dresser<'_>, i: usize) -> f64 {
         // A collar that is folded over its stand hangs from its seam.
         Some(Part::Collar) if d.stands_under(i).next().is_some() => half_turn(towards_seam(d, i, 1.0)),
         Some(Part::Collar | Part::Stand | Part::Hood) => half_turn(towards_seam(d, i, -1.0)),
+        // A band at the hem hangs from its seam.
+        Some(Part::Waistband) if !d.has_below() => towards_seam(d, i, 1.0).unwrap_or(0.0),
         Some(Part::Waistband) if is_upright_strip(d, i) => FRAC_PI_2,
         _ => 0.0,
     }
