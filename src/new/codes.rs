@@ -29,7 +29,8 @@ codes! {
     BODY_SIDE_FILE_DIFFERS = "body-side-file-differs";
 
     /// No fabric was asked for, and a text of a piece tells that the garment is a knit: that it is cut of a rib, or is a
-    /// legging. Or it is narrower than its body and than woven cloth stretches. So a knit was chosen. --fabric takes another one.
+    /// legging. Or it is narrower than its body and than woven cloth stretches. So a knit was chosen. --fabric takes
+    /// another one.
     FABRIC_CHOSEN = "fabric-chosen";
 
     /// `toile new` knows no fabric of this name, and there is no such file. The hint lists the fabrics that come with

@@ -139,7 +139,8 @@ fn worn(order: &Order<'_>, source: &Source, proposal: &Proposal) -> Result<Worn,
         findings.push(finding);
     }
     let narrow = || opened.model.as_ref().and_then(|b| fits::narrow(&source.garment, &dressed, b));
-    let knit = order.knit.as_ref().and_then(|knit| Some((knit, narrow()?)));
+    // A body that a person asked for may be too large.
+    let knit = order.knit.as_ref().filter(|_| !order.is_body_asked).and_then(|knit| Some((knit, narrow()?)));
     if let Some((knit, girths)) = knit {
         let message = format!("the garment has {girths}, so it is a knit: {} was chosen", knit.name());
         findings.push(Diagnostic::info(FABRIC_CHOSEN, message).hint(FABRIC_HINT));
