@@ -120,7 +120,7 @@ fn no_mistake_hides_another() {
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
     let together = |m: &&Mistake| !ONE_BY_ONE.contains(&m.code) && m.code != "body-value";
     let all: Vec<&Mistake> = MISTAKES.iter().filter(together).collect();
-    let wanted: BTreeSet<_> = all.iter().flat_map(|m| errors(&[m])).collect();
+    let wanted: BTreeSet<_> = all.iter().flat_map(|m| errors(&[*m])).collect();
     assert_eq!(errors(&all), wanted);
 }
 
