@@ -45,7 +45,7 @@ pub fn question(
     own: &Body,
     body: &toile_garment::body::Body,
 ) -> Option<Diagnostic> {
-    pairs(&source.garment, dressed, body).into_iter().find_map(|pair| ask(source, &pair, own))
+    pairs(&source.garment, dressed, body, false).into_iter().find_map(|pair| ask(source, &pair, own))
 }
 
 /// The body of the pattern's own size, where the pattern has its usual ease on it and not on the usual body, or where a
@@ -62,7 +62,7 @@ pub fn better(
         let own = of_label(&pair, label, source);
         own.filter(|own| is_size_asked || is_better(&pair, own.1)).map(|own| (pair, own))
     };
-    let (pair, (name, girth)) = pairs(garment, dressed, body).into_iter().find_map(of)?;
+    let (pair, (name, girth)) = pairs(garment, dressed, body, false).into_iter().find_map(of)?;
     let message = format!(
         "the pattern is of size {} and measures {} around the {}; body {name} has {}: it was chosen",
         shown(label, &[]),
@@ -77,7 +77,7 @@ pub fn better(
 /// How much narrower a garment is than its body, where that is more than woven cloth gives: the girths of both.
 pub fn narrow(garment: &Garment, dressed: &Dressed, body: &toile_garment::body::Body) -> Option<String> {
     let is_knit = |p: &Pair| (STRETCH..MOST_STRETCH).contains(&(1.0 - p.garment / p.body));
-    let pair = pairs(garment, dressed, body).into_iter().find(is_knit)?;
+    let pair = pairs(garment, dressed, body, true).into_iter().find(is_knit)?;
     Some(format!("{} around the {} on a body of {}", mm(pair.garment), pair.place, mm(pair.body)))
 }
 
@@ -136,14 +136,14 @@ fn mm(x: f64) -> String {
     format!("{:.0} mm", 1e3 * x)
 }
 
-/// The girths that can be compared.
-fn pairs(garment: &Garment, dressed: &Dressed, body: &toile_garment::body::Body) -> Vec<Pair> {
+/// The girths that can be compared. Legs in one piece lie at the sides; `with_sides` counts them as before and behind.
+fn pairs(garment: &Garment, dressed: &Dressed, body: &toile_garment::body::Body, with_sides: bool) -> Vec<Pair> {
     let height = |name: &str| body.measures.get(&format!("{name}_height")).copied();
     let (Some(bust), Some(waist), Some(hip)) = (height("bust"), height("waist"), height("hip")) else {
         return Vec::new();
     };
     let own = |name: &str, y: f64| body.measures.get(name).copied().unwrap_or_else(|| girth_at(body, y));
-    let cloth = Cloth::of(garment, dressed);
+    let cloth = Cloth::of(garment, dressed, with_sides);
     let upper = cloth.above_the_waist();
     let mut out = Vec::new();
     // The armholes of a pattern may be deeper than the body's.
@@ -237,13 +237,13 @@ struct Outline {
 }
 
 impl Cloth {
-    fn of(garment: &Garment, dressed: &Dressed) -> Self {
+    fn of(garment: &Garment, dressed: &Dressed, with_sides: bool) -> Self {
         let laid = garment.pieces.iter().zip(&dressed.roles).zip(&dressed.arrangement.places);
         let around = laid.filter_map(|((piece, role), place)| {
             let place = place.as_ref().filter(|p| is_around(role, p))?;
             let is_low =
                 matches!(role.part, Some(Part::Skirt | Part::Leg | Part::Tier | Part::Waistband | Part::Godet));
-            Some(Outline { is_front: is_front(place), is_low, points: points(piece, place) })
+            Some(Outline { is_front: is_front(place, with_sides), is_low, points: points(piece, place) })
         });
         Self { outlines: around.collect() }
     }
@@ -299,9 +299,9 @@ fn is_around(role: &Role, place: &Place) -> bool {
     is_trunk && !role.part.is_some_and(is_other)
 }
 
-fn is_front(place: &Place) -> Option<bool> {
+fn is_front(place: &Place, with_sides: bool) -> Option<bool> {
     let ahead = place.rotation()[2][2];
-    (ahead.abs() > SIDEWAYS).then_some(ahead > 0.0)
+    (!with_sides || ahead.abs() > SIDEWAYS).then_some(ahead > 0.0)
 }
 
 fn points(piece: &Piece, place: &Place) -> Vec<Vec3> {
