@@ -1,4 +1,4 @@
-//! Cut lines that were made in every size apart, with the same vertices in each: the curves of a larger size have more
+//! Cut lines that were made in every size apart get the same vertices in each. The curves of a larger size have more
 //! chords, and a grade rule leads from a vertex of one size to the same vertex of another.
 
 use crate::dxf::write::begun_like;
