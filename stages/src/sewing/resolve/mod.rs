@@ -6,6 +6,7 @@ mod lengths;
 mod notches;
 mod side;
 mod twice;
+mod twisted;
 
 pub use lengths::Limits;
 pub use side::{Side, Span};
@@ -94,6 +95,7 @@ pub fn judged(
     };
     let seams = collect(found.iter().zip(&garment.plan.seams).map(judge))?;
     twice::sewn_twice(garment, shapes, &seams).into_iter().for_each(|warning| report.push(warning));
+    twisted::twisted(&garment.plan.seams).into_iter().for_each(|warning| report.push(warning));
     Ok(seams)
 }
 
