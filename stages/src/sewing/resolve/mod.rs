@@ -95,7 +95,7 @@ pub fn judged(
     };
     let seams = collect(found.iter().zip(&garment.plan.seams).map(judge))?;
     twice::sewn_twice(garment, shapes, &seams).into_iter().for_each(|warning| report.push(warning));
-    twisted::twisted(&garment.plan.seams).into_iter().for_each(|warning| report.push(warning));
+    twisted::twisted(&garment.plan.seams, &garment.pieces).into_iter().for_each(|warning| report.push(warning));
     Ok(seams)
 }
 

@@ -1,15 +1,17 @@
 //! Seams that twist the cloth between two pieces. `reverse = false` sews both outlines in the same sense, as of pieces that
-//! lie face to face. Where the same two pieces are sewn right side out elsewhere, the cloth between both seams is twisted.
+//! lie face to face. Where the same two pieces are sewn right side out elsewhere, the cloth between both seams is twisted,
+//! unless a pressed fold turns one of the pieces over, as the roll line of a lapel does.
 
 use super::super::codes;
-use toile_garment::Diagnostic;
 use toile_garment::sewing::{RunSpec, SeamSpec};
+use toile_garment::{Diagnostic, Piece};
 
 /// Findings on the seams that say `reverse = false` between two pieces that another seam joins right side out.
-pub fn twisted(seams: &[SeamSpec]) -> Vec<Diagnostic> {
-    let folded = seams.iter().filter(|s| s.reverse == Some(false));
-    let told = folded.filter_map(|seam| {
-        let pieces = pieces(seam)?;
+pub fn twisted(seams: &[SeamSpec], all: &[Piece]) -> Vec<Diagnostic> {
+    let is_folded = |name: &str| all.iter().any(|p| p.name == name && !p.folds.is_empty());
+    let in_one_sense = seams.iter().filter(|s| s.reverse == Some(false));
+    let told = in_one_sense.filter_map(|seam| {
+        let pieces = pieces(seam).filter(|pieces| !pieces.iter().any(|name| is_folded(name)))?;
         let is_plain = |s: &&SeamSpec| s.reverse != Some(false) && self::pieces(s) == Some(pieces);
         Some(finding(seam, pieces, &seams.iter().find(is_plain)?.name))
     });
@@ -41,6 +43,7 @@ fn pieces(seam: &SeamSpec) -> Option<[&str; 2]> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use toile_garment::piece::PressedFold;
 
     fn seam(name: &str, [a, b]: [&str; 2], reverse: Option<bool>) -> SeamSpec {
         let edge = |piece: &str| vec![RunSpec::Edge { piece: piece.into(), edge: "1".into() }];
@@ -60,11 +63,16 @@ mod tests {
     fn one_seam_of_two_that_is_sewn_in_the_same_sense_is_told() {
         let side = seam("side", ["front", "back"], None);
         let turned = seam("shoulder", ["back", "front"], Some(false));
-        let found = twisted(&[side.clone(), turned.clone()]);
+        let both = [side.clone(), turned.clone()];
+        let found = twisted(&both, &[]);
         assert!(found.len() == 1 && found[0].message.contains("`shoulder`") && found[0].message.contains("`side`"));
         // A facing lies face to face along all its seams, and another piece tells nothing.
         let facing = seam("facing", ["back", "front"], Some(false));
-        assert!(twisted(&[turned, facing]).is_empty());
-        assert!(twisted(&[side, seam("yoke", ["back", "yoke"], Some(false))]).is_empty());
+        assert!(twisted(&[turned, facing], &[]).is_empty());
+        assert!(twisted(&[side, seam("yoke", ["back", "yoke"], Some(false))], &[]).is_empty());
+        // A lapel rolls over.
+        let roll = PressedFold { name: "roll".into(), line: Vec::new(), angle: -3.0, pleat: None };
+        let front = Piece { name: "front".into(), folds: vec![roll], ..Piece::default() };
+        assert!(twisted(&both, &[front]).is_empty());
     }
 }
