@@ -37,8 +37,9 @@ pub struct Cut {
 /// Copies and pieces that are left out, as the pattern tells them. `more` are pieces that a person leaves out.
 ///
 /// Interlinings, linings and facings lie inside, under outer pieces, and a lower collar lies under the upper one. Pockets
-/// and belt loops lie on others. A piece with the quantity 0 is not cut: it is an alternative, or only helps to draw another one. Where all quantities are 0 the
-/// file is a kit, and annotations tell them. Plackets are left out where every front is whole: a slit in its middle is a drawn line at most.
+/// and belt loops lie on others. A piece with the quantity 0 is not cut: it is an alternative, or only helps to draw
+/// another one. Where all quantities are 0 the file is a kit, and annotations tell them. Plackets are left out where every
+/// front is whole: a slit in its middle is a drawn line at most.
 pub fn plan(garment: &Garment, more: &[String]) -> Cut {
     let roles = roles_of_names(&garment.pieces);
     let is_any_cut = garment.pieces.iter().any(|p| p.quantity != NONE);

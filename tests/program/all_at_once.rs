@@ -2,23 +2,7 @@
 
 use crate::support;
 use std::collections::BTreeSet;
-use support::bench::{Bench, command};
-
-const STAGES: &str = "[[stage]]
-use = \"import-dxf\"
-with.file = \"skirt.dxf\"
-with.sewing = \"skirt.sewing.toml\"
-with.size = \"38\"
-[[stage]]
-use = \"triangulate\"
-with.triangles = 150
-[[stage]]
-use = \"assemble\"
-[[stage]]
-use = \"stitch\"
-with.body = \"body.obj\"
-with.fabric = \"fabric.toml\"
-";
+use support::bench::{Bench, SKIRT_STAGES, command};
 
 /// A mistake: the code it is told under, and the file with the text that becomes another, or an override.
 struct Mistake {
@@ -74,7 +58,7 @@ fn is_read_later(first: &Mistake, second: &Mistake) -> bool {
 /// Errors of `check` with some of the mistakes: code, line and message.
 fn errors(mistakes: &[&Mistake]) -> BTreeSet<(String, String)> {
     let bench = Bench::new();
-    bench.sample_skirt().sample("bodies/size-38.obj", "body.obj").stages(STAGES);
+    bench.sample_skirt().sample("bodies/size-38.obj", "body.obj").stages(SKIRT_STAGES);
     let mut more = Vec::new();
     for mistake in mistakes {
         match mistake.change {
@@ -127,7 +111,7 @@ fn no_mistake_hides_another() {
 #[test]
 fn what_is_set_twice_is_told() {
     let bench = Bench::new();
-    bench.sample_skirt().sample("bodies/size-38.obj", "body.obj").stages(STAGES);
+    bench.sample_skirt().sample("bodies/size-38.obj", "body.obj").stages(SKIRT_STAGES);
     let said = bench.findings(&["--set", "import-dxf.size=36", "--set", "import-dxf.size=38"]);
     let codes: Vec<&str> = said.iter().map(|f| f.0.as_str()).filter(|c| *c == "set-twice").collect();
     assert_eq!(codes, ["set-twice"], "{said:?}");

@@ -1,7 +1,7 @@
 //! What a person writes and nothing acts on: each is told by `check`, and all at once.
 
 use crate::support;
-use support::bench::Bench;
+use support::bench::{Bench, SKIRT_STAGES};
 use support::project::Project;
 
 /// The sample skirt up to its drape, with more parameters of `stitch` and `drape`.
@@ -9,21 +9,7 @@ fn skirt(stitch: &str, drape: &str) -> Bench {
     let bench = Bench::new();
     bench.sample_skirt().sample("bodies/size-38.obj", "body.obj");
     bench.stages(&format!(
-        "[[stage]]
-use = \"import-dxf\"
-with.file = \"skirt.dxf\"
-with.sewing = \"skirt.sewing.toml\"
-with.size = \"38\"
-[[stage]]
-use = \"triangulate\"
-with.triangles = 150
-[[stage]]
-use = \"assemble\"
-[[stage]]
-use = \"stitch\"
-with.body = \"body.obj\"
-with.fabric = \"fabric.toml\"
-{stitch}
+        "{SKIRT_STAGES}{stitch}
 [[stage]]
 use = \"drape\"
 {drape}

@@ -1,23 +1,7 @@
 //! Bodies that end or are torn near an edge's attachment: a refusal with words or a sewn garment, never a panic.
 
 use crate::support;
-use support::bench::Bench;
-
-const STAGES: &str = "[[stage]]
-use = \"import-dxf\"
-with.file = \"skirt.dxf\"
-with.sewing = \"skirt.sewing.toml\"
-with.size = \"38\"
-[[stage]]
-use = \"triangulate\"
-with.triangles = 150
-[[stage]]
-use = \"assemble\"
-[[stage]]
-use = \"stitch\"
-with.body = \"body.obj\"
-with.fabric = \"fabric.toml\"
-";
+use support::bench::{Bench, SKIRT_STAGES};
 
 /// A project with the sample skirt and the faces of the sample body that a rule keeps.
 fn project(keep: impl Fn(usize, [[f64; 3]; 3]) -> bool) -> Bench {
@@ -40,7 +24,7 @@ fn project(keep: impl Fn(usize, [[f64; 3]; 3]) -> bool) -> Bench {
     });
     let body: String = kept.flat_map(|line| [line, "\n"]).collect();
     std::fs::write(file, body).expect("body");
-    bench.stages(STAGES);
+    bench.stages(SKIRT_STAGES);
     bench
 }
 
@@ -97,11 +81,11 @@ fn check_reads_the_files_and_tells_all_that_is_wrong() {
     edit("fabric.toml", &|t| t.replacen("g/m2", "g", 1));
     assert_eq!(bench.check(&[]).code, 3);
     assert!(codes(&bench).contains(&"fabric-value".to_owned()), "{:?}", codes(&bench));
-    let wrong_size = STAGES.replace("\"38\"", "\"52\"");
+    let wrong_size = SKIRT_STAGES.replace("\"38\"", "\"52\"");
     bench.stages(&wrong_size);
     let found = codes(&bench);
     assert!(["size-not-found", "fabric-value"].iter().all(|c| found.iter().any(|f| f == c)), "{found:?}");
-    bench.stages(STAGES);
+    bench.stages(SKIRT_STAGES);
     let samples = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("samples/fabrics/wool-suiting.toml");
     std::fs::copy(samples, folder.join("fabric.toml")).expect("fabric");
     let millimetres = |line: &str| {
@@ -136,7 +120,7 @@ fn hopeless_work_is_refused_with_its_forecast() {
     assert_eq!(said.code, 5, "{said:?}");
     assert!(said.err.contains("over-limit") && said.err.contains("foreseen"), "{}", said.err);
     assert!(!bench.out().exists(), "nothing was begun");
-    let fine = STAGES.replace("with.triangles = 150", "with.edge_length = \"1 mm\"");
+    let fine = SKIRT_STAGES.replace("with.triangles = 150", "with.edge_length = \"1 mm\"");
     bench.stages(&format!("{fine}[[stage]]\nuse = \"drape\"\n"));
     let said = bench.run(&[]);
     assert_eq!(said.code, 5, "{said:?}");

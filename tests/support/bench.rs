@@ -9,6 +9,23 @@ use toile::engine::Stop;
 /// Head of a small pipeline.
 pub const HEAD: &str = "toile = 1\n[pipeline]\nline = \"test\"\nversion = 1\n";
 
+/// The stages that sew the sample skirt, from its files beside the pipeline.
+pub const SKIRT_STAGES: &str = "[[stage]]
+use = \"import-dxf\"
+with.file = \"skirt.dxf\"
+with.sewing = \"skirt.sewing.toml\"
+with.size = \"38\"
+[[stage]]
+use = \"triangulate\"
+with.triangles = 150
+[[stage]]
+use = \"assemble\"
+[[stage]]
+use = \"stitch\"
+with.body = \"body.obj\"
+with.fabric = \"fabric.toml\"
+";
+
 /// A project: its root holds `toile.root`, the pipeline lies two folders below it.
 pub struct Bench {
     pub dir: tempfile::TempDir,

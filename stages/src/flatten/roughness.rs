@@ -41,8 +41,8 @@ pub enum Surface<'a> {
 /// the size of the roughness.
 ///
 /// A smoothing cannot be narrower than the mesh: it averages over the triangles around a vertex at least, and so takes
-/// a mesh edge of a real edit for roughness. Where the length of cloth is shorter than the mean mesh edge, and without
-/// roughness, the edit stays as it is. (Smoothed all the same, a clean edit on edges of 8 mm lost 0.1° of a dart.)
+/// a mesh edge of a real edit for roughness. An edit without roughness stays as it is, and so does one whose length of cloth
+/// is shorter than the mean mesh edge. Smoothed all the same, a clean edit on edges of 8 mm lost 0.1° of a dart.
 ///
 /// A scan has no shape before. Its stretch is read in a smooth frame instead: roughness then counts once and not squared,
 /// and its average is none. A frame that is off by an angle costs the square of it, and only near the tip of a dart.

@@ -527,7 +527,7 @@ pub struct LegWeights {
     pub off_waist: f64,
     /// A level edge that lies lower, as a share of the height of the piece, is the hem.
     pub hem: f64,
-    /// Score of sewing a hem to another edge of a leg than its top. Culottes of our own sewed the hem to the inseam, which is as long.
+    /// Score of sewing a hem to another edge of a leg than its top. Culottes sewed the hem to the inseam, which is as long.
     pub hem_closed: f64,
     /// The widest place of a flared leg lies lower, as a share of the height of the piece.
     pub flared: f64,

@@ -45,8 +45,8 @@ fn role_of_category(text: &str) -> Role {
     if is_interlining { Role { part: Some(Part::Interlining), confidence: WORD, ..role } } else { role }
 }
 
-/// Fronts and backs in a garment with sleeves, a collar, a hood, straps, a binding or a yoke, and without a skirt or legs: they are of
-/// a bodice. A waistband of such a garment is a band at its hem.
+/// Fronts and backs are of a bodice in a garment with sleeves, a collar, a hood, straps, a binding or a yoke, and without a
+/// skirt or legs. A waistband of such a garment is a band at its hem.
 fn find_tops(roles: &mut [Role]) {
     let has = |parts: &[Part]| roles.iter().any(|r| r.part.is_some_and(|p| parts.contains(&p)));
     // A yoke over a waistband is that of a skirt or of trousers.

@@ -75,7 +75,7 @@ codes! {
     SEAM_NOTCHES_DIFFER = "seam-notches-differ";
 
     /// The sides of a seam lie one way and are sewn the other, so the cloth between them is twisted by half a turn.
-    /// Swap from and to of one side, or the order of its vertices in a file of stitches.
+    /// Swap from and to of one side, or the order of its vertices in a file of stitches, or take `reverse = false` out.
     SEAM_REVERSED = "seam-reversed";
 
     /// A side of a seam has no length once the darts in it are sewn. Exit code 2.

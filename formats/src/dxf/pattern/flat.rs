@@ -1,7 +1,7 @@
 //! A flat drawing: no block is a piece, so the closed lines of ENTITIES are.
 //!
-//! Plot frames round pieces and title blocks are left out. Open lines belong to the piece they lie in or touch: short ones at its
-//! outline are strokes of notches.
+//! Plot frames round pieces and title blocks are left out. Open lines belong to the piece they lie in or touch: short ones
+//! at its outline are strokes of notches.
 
 use super::codes;
 use super::frames;

@@ -1,6 +1,6 @@
 //! Seams that twist the cloth between two pieces. `reverse = false` sews both outlines in the same sense, as of pieces that
-//! lie face to face. Where the same two pieces are sewn right side out elsewhere, the cloth between both seams is twisted,
-//! unless a pressed fold turns one of the pieces over, as the roll line of a lapel does.
+//! lie face to face. Where the same two pieces are sewn right side out elsewhere, the cloth between both seams is twisted.
+//! A pressed fold may turn one of the pieces over, as the roll line of a lapel does. Then nothing is told.
 
 use super::super::codes;
 use toile_garment::sewing::{RunSpec, SeamSpec};
