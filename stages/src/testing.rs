@@ -6,8 +6,9 @@ use toile_garment::dart::{Dart, DartEvidence, DartKind};
 use toile_garment::fabric::{Fabric, StretchLaw};
 use toile_garment::notch::{Notch, NotchKind};
 use toile_garment::outline::{LinePoint, OutlineEdge, PieceLine, PointKind};
+use toile_garment::seam::{Seam, SeamKind, SeamSide, Stitch};
 use toile_garment::sewing::{RunSpec, RunWay, SeamSpec};
-use toile_garment::{Garment, Piece, PieceId, Report, Vec2};
+use toile_garment::{Garment, Piece, PieceId, Report, SeamId, Vec2};
 use toile_stage_api::{Stage, StageContext, StageError};
 
 /// Runs a stage.
@@ -108,6 +109,13 @@ pub fn two_points(piece: &str, from: (f64, f64), to: (f64, f64)) -> RunSpec {
 /// A seam without more.
 pub fn seam(name: &str, a: Vec<RunSpec>, b: Vec<RunSpec>) -> SeamSpec {
     SeamSpec { name: name.into(), a, b, reverse: None, ease: None, gather: None, proposed: None, source: None }
+}
+
+/// A sewn seam that is only its stitches.
+pub fn sewn(name: &str, stitches: Vec<Stitch>) -> Seam {
+    let (a, b) = (SeamSide::default(), SeamSide::default());
+    let (id, kind) = (SeamId::default(), SeamKind::Seam);
+    Seam { id, name: name.into(), kind, a, b, ease: 0.0, gather: None, stitches, source: None }
 }
 
 /// A fabric of the same stretch both ways without friction in bending; SI units.

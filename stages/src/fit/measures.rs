@@ -234,17 +234,7 @@ mod tests {
             let a = row * (SIDES + 1);
             toile_garment::seam::Stitch { a: end(a), b: end(a + SIDES) }
         };
-        let seam = toile_garment::seam::Seam {
-            id: 0_usize.into(),
-            name: "back".into(),
-            kind: toile_garment::seam::SeamKind::Seam,
-            a: Default::default(),
-            b: Default::default(),
-            ease: 0.0,
-            gather: None,
-            stitches: (0..=4).map(stitch).collect(),
-            source: None,
-        };
+        let seam = crate::testing::sewn("back", (0..=4).map(stitch).collect());
         let mesh = PieceMesh { rest, triangles, ..PieceMesh::default() };
         Garment {
             pieces: vec![Piece { name: "tube".into(), mesh: Some(mesh), ..Piece::default() }],
