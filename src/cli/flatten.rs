@@ -39,11 +39,14 @@ pub(super) fn run(args: &FlattenArgs, registry: &Registry, stop: &Arc<Stop>, con
     };
     let written = flatten(args, registry, stop, garment, &mut report);
     match written {
-        Ok((summary, files)) => {
+        Ok(Flattened { summary, files, over_tolerance }) => {
             console.findings(&report.findings, None);
             console.result(&crate::render::safe(&summary));
             let files: Vec<(&Path, &[u8])> = files.iter().map(|(path, bytes)| (path.as_path(), &bytes[..])).collect();
-            results.write_all(&files, console)
+            match results.write_all(&files, console) {
+                Exit::Good if over_tolerance => Exit::Gate,
+                exit => exit,
+            }
         }
         Err(error) => {
             let (findings, exit) = of_stage_error(error);
@@ -106,8 +109,14 @@ fn parameters(args: &FlattenArgs) -> Result<String, StageError> {
     Ok(format!("{{ {} }}", parts.join(", ")))
 }
 
-/// The summary for a person, and the files to write.
-type Flattened = (String, Vec<(PathBuf, Vec<u8>)>);
+/// What is told and written.
+struct Flattened {
+    /// For a person.
+    summary: String,
+    files: Vec<(PathBuf, Vec<u8>)>,
+    /// Does a piece fail what was asked for?
+    over_tolerance: bool,
+}
 
 fn flatten(
     args: &FlattenArgs,
@@ -120,7 +129,7 @@ fn flatten(
     let garment = run_alone(registry, (FLATTEN, &parameters(args)?), garment, stop, report, &mut files)?;
     let internal = |what: &str| StageError::Internal(what.to_owned());
     let flat = garment.flat.as_ref().ok_or_else(|| internal("`flatten` gave no flat pieces"))?;
-    let summary = summary(&garment, flat);
+    let (summary, over_tolerance) = (summary(&garment, flat), flat.over_tolerance.is_some_and(|count| count > 0));
     let mut results = Vec::new();
     if let Some(path) = &args.json {
         let value = flatten_json(&garment, flat);
@@ -144,12 +153,13 @@ fn flatten(
             results.push((path, files.take("file.rul")?));
         }
     }
-    Ok((summary, results))
+    Ok(Flattened { summary, files: results, over_tolerance })
 }
 
 /// The figures that matter, one line a piece, dart and sewn pair.
 fn summary(garment: &Garment, flat: &Flat) -> String {
     let mut text = String::new();
+    let changes = crate::fit::changes(garment);
     for f in &flat.pieces {
         let name = garment.pieces.get(f.piece.index()).map_or("?", |p| p.name.as_str());
         let [original, new, _] = f.area.map(|a| 1e4 * a);
@@ -165,6 +175,9 @@ fn summary(garment: &Garment, flat: &Flat) -> String {
             let fails = verdict.fails();
             let words = if fails.is_empty() { "passes".to_owned() } else { format!("fails: {}", fails.join("; ")) };
             let _ = writeln!(text, "  {words}");
+        }
+        for change in changes.iter().filter(|c| c.piece == name && c.angle.is_none()) {
+            let _ = writeln!(text, "  {:<18} {}", change.what, change.words());
         }
         for d in &f.darts {
             let [before, after] = [0, 1].map(|k| format!("{:.1} mm {:.2}°", 1e3 * d.width[k], d.angle[k].to_degrees()));

@@ -48,7 +48,7 @@ pub fn text(a: &Side, b: &Side, changes: &[Change], tolerance: &Tolerance) -> St
             let _ = writeln!(out, "{}", change.group.word());
             group = Some(change.group);
         }
-        let over = if tolerance.is_over(change) { "  over the tolerance" } else { "" };
+        let over = if tolerance.is_stated() && tolerance.is_over(change) { "  over the tolerance" } else { "" };
         let _ = writeln!(out, "  {}: {}{over}", change.what, change.words());
     }
     out

@@ -85,6 +85,12 @@ impl Tolerance {
         length.map(|l| l.to_string())
     }
 
+    /// Does it state anything?
+    #[must_use]
+    pub fn is_stated(&self) -> bool {
+        self.0.is_some()
+    }
+
     /// Is a difference larger than what is stated?
     #[must_use]
     pub fn is_over(&self, change: &Change) -> bool {

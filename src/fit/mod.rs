@@ -19,6 +19,7 @@ mod sizes;
 mod trial;
 mod wearing;
 
+pub use changes::changes;
 pub use folder::put;
 pub use levels::{Level, Round};
 pub use page::html;

@@ -258,6 +258,7 @@ const ELASTIC: &str = "elastic=[{ along = \"BACK.0\", length = \"80 %\" }]";
 const FOLD: &str =
     "fold=[{ piece = \"BACK\", line = [[\"-100 mm\", \"40 mm\"], [\"100 mm\", \"40 mm\"]], angle = \"40 deg\" }]";
 const INTERLINING: &str = "interlining=[{ pieces = [\"BACK\"], areal_mass = \"60 g/m2\", bending = \"100 uN.m\" }]";
+const WHOLE: &str = "whole=[{ name = \"FRONT\", pieces = [\"FRONT\", \"BACK\"] }]";
 const PLEAT: &str = "dart=[{ piece = \"BACK\", kind = \"pleat\", mouth = [[\"-10 mm\", \"151 mm\"], [\"10 mm\", \"151 mm\"]], apexes = [[\"-10 mm\", \"60 mm\"], [\"10 mm\", \"60 mm\"]], press = \"inverted\", sewn = \"30 mm\" }]";
 const MOVED: &str = "place[0]={ piece = \"FRONT\", move = [\"0 mm\", \"0 mm\", \"10 mm\"] }";
 const PUT: &str = "place[0]={ piece = \"FRONT\", rotation = [[1, 0, 0], [0, 1, 0], [0, 0, 1]], translation = [\"-100 mm\", \"850 mm\", \"80 mm\"] }";
@@ -284,6 +285,8 @@ const SEWING: &[Flip] = &[
     given("pattern", &[INTERLINING], "interlining[0].pieces", "[\"FRONT\"]"),
     given("pattern", &[INTERLINING], "interlining[0].areal_mass", "\"90 g/m2\""),
     given("pattern", &[INTERLINING], "interlining[0].bending", "\"300 uN.m\""),
+    given("pattern", &[WHOLE], "whole[0].name", "\"BACK\""),
+    given("pattern", &[WHOLE], "whole[0].pieces", "[\"FRONT\"]"),
     given("pattern", &[PLEAT], "dart[0].press", "\"box\""),
     given("pattern", &[PLEAT], "dart[0].sewn", "\"60 mm\""),
     given("pattern", COPIES, "copy[0].mirror", "true"),

@@ -432,10 +432,11 @@ impl Garment {
         self.pieces.iter().position(|p| p.name == name).map(PieceId::from)
     }
 
-    /// Fabric of a piece: by its material, else the default.
+    /// Fabric of a piece: by its name, by its material, else the default.
     #[must_use]
     pub fn fabric_of(&self, piece: &Piece) -> Option<&Fabric> {
-        piece.material.as_deref().and_then(|m| self.fabrics.get(m)).or_else(|| self.fabrics.get(""))
+        let names = [Some(piece.name.as_str()), piece.material.as_deref(), Some("")];
+        names.into_iter().flatten().find_map(|name| self.fabrics.get(name))
     }
 }
 

@@ -315,6 +315,18 @@ pub struct InterliningSpec {
     pub source: Option<SourceRef>,
 }
 
+/// A piece that was cut apart, and whose parts are pieces now.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct WholeSpec {
+    /// Name of the whole piece.
+    pub name: String,
+    /// Names of its parts.
+    pub pieces: Vec<String>,
+    /// Origin.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub source: Option<SourceRef>,
+}
+
 /// How strongly an edge is held.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
@@ -402,6 +414,9 @@ pub struct SewingPlan {
     /// Interlinings.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub interlinings: Vec<InterliningSpec>,
+    /// Pieces that were cut apart.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub wholes: Vec<WholeSpec>,
     /// Pieces of the DXF that are not part of this garment (linings, fusings).
     #[serde(default)]
     pub leave_out: Vec<String>,
@@ -441,6 +456,7 @@ impl SewingPlan {
             elastics,
             folds,
             interlinings,
+            wholes,
             leave_out,
             leave_out_source,
         } = more;
@@ -455,6 +471,7 @@ impl SewingPlan {
         self.elastics.extend(elastics);
         self.folds.extend(folds);
         self.interlinings.extend(interlinings);
+        self.wholes.extend(wholes);
         self.leave_out.extend(leave_out);
         self.leave_out_source = leave_out_source.or(self.leave_out_source.take());
     }

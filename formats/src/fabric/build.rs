@@ -281,6 +281,12 @@ fn limit(e: &Entries, direction: &str, sources: &mut Sources) -> f64 {
         sources.insert(key, ValueSource { method: "EMT of KES-F".to_owned(), ..emt.source });
         return emt.value;
     }
+    // Cloth that was measured at 100 gf/cm bears what it showed there.
+    let fast = entry(e, "fast", &format!("e100_{direction}")).filter(|e100| e100.value > DEFAULT_LIMIT);
+    if let Some(e100) = fast {
+        sources.insert(key, ValueSource { method: "E100 of FAST-1".to_owned(), ..e100.source });
+        return e100.value;
+    }
     let written = format!("{} %", DEFAULT_LIMIT * 100.0);
     sources.insert(key, ValueSource { written, method: "default".to_owned(), source: String::new() });
     DEFAULT_LIMIT

@@ -74,9 +74,9 @@ fields! {
     TOP "friction" Ratio 0.0 10.0 "0 to 10"
         "Coefficient of Coulomb friction of cloth on the body and on itself.";
     TOP "strain_limit_warp" Share 5e-4 3.0 STRAIN
-        "Largest stretch along the warp. Default: EMT where `[kes]` gives it, else 5 %.";
+        "Largest stretch along the warp. Default: EMT of `[kes]`, else 5 %, or E100 of `[fast]` if larger.";
     TOP "strain_limit_weft" Share 5e-4 3.0 STRAIN
-        "Largest stretch along the weft. Default: EMT where `[kes]` gives it, else 5 %.";
+        "Largest stretch along the weft. Default: EMT of `[kes]`, else 5 %, or E100 of `[fast]` if larger.";
     TOP "strain_limit_bias" Share 5e-4 3.0 STRAIN
         "Largest stretch at 45° to warp and weft. Default: none.";
     TOP "rest_curvature_warp" Curvature -1000.0 1000.0 CURL

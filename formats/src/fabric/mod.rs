@@ -15,7 +15,7 @@
 //! thickness = "0.28 mm"
 //! friction = 0.4                     # cloth on body and on itself
 //!
-//! strain_limit_warp = "3.5 %"        # default: EMT where measured, else 5 %
+//! strain_limit_warp = "3.5 %"        # default: EMT; else 5 %, or E100 if larger
 //! strain_limit_bias = "6 %"          # at 45° to warp and weft; default: none
 //! rest_curvature_warp = "30 1/m"     # how unloaded cloth curls, above 0 where its right side is hollow; default: flat
 //!

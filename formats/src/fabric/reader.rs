@@ -188,6 +188,9 @@ fn unknown(toml: &TomlText<'_>, table: &'static str, key: &Spanned<std::borrow::
     let place = if table.is_empty() { "at the top of a fabric file".to_owned() } else { format!("in `[{table}]`") };
     let elsewhere: Vec<&str> = FIELDS.iter().filter(|f| f.key == word).flat_map(|f| f.tables.iter().copied()).collect();
     let hint = match elsewhere.as_slice() {
+        _ if ["wt", "wt_warp", "wt_weft"].contains(&word) => {
+            "WT of KES-FB1 follows from EMT and LT: give emt and lt, and leave it out".to_owned()
+        }
         [] => did_you_mean(word, fields::known(table)),
         [""] => format!("`{word}` stands at the top of the file, before the first table"),
         tables => {

@@ -101,6 +101,10 @@ fn document(sound: &Sound<'_>) -> Result<Garment, ReadError> {
     super::document::read(text.get()).map_err(ReadError::Document)
 }
 
+/// What an editor may do.
+const MOVE_ONLY: &str = "an edit moves vertices, and does not cut, subdivide or remesh. To shorten a hem, move its rows of \
+                         vertices up, or cut a band off with the stage `alter`";
+
 /// Images lie in the GLB as images of their own.
 fn restore_images(garment: &mut Garment, sound: &Sound<'_>) -> Result<(), ReadError> {
     let root = sound.document.as_json();
@@ -271,15 +275,11 @@ fn by_cloth(positions: &[Vec3], uv: &[[f64; 2]], cloth: &[[f64; 2]], stored: &[V
             .filter(|i| distance(i) <= UV_ROUNDING)
             .min_by(|a, b| distance(a).total_cmp(&distance(b)));
         let Some(i) = nearest else {
-            return Err(format!(
-                "a vertex at ({:.2}, {:.2}) mm of cloth is new; move vertices only",
-                u * 1e3,
-                -v * 1e3
-            ));
+            return Err(format!("a vertex at ({:.2}, {:.2}) mm of cloth is new; {MOVE_ONLY}", u * 1e3, -v * 1e3));
         };
         match &out[*i] {
             Some(other) if (other - position).norm() > ROUNDING => {
-                return Err(format!("vertex {i} was torn into two places; move vertices only"));
+                return Err(format!("vertex {i} was torn into two places; {MOVE_ONLY}"));
             }
             _ => out[*i] = Some(*position),
         }
@@ -291,7 +291,7 @@ fn by_cloth(positions: &[Vec3], uv: &[[f64; 2]], cloth: &[[f64; 2]], stored: &[V
         *found = found.or_else(|| there.get(&place(s)).copied());
     }
     let lost = out.iter().filter(|p| p.is_none()).count();
-    out.into_iter().collect::<Option<Vec<_>>>().ok_or_else(|| format!("{lost} vertices are gone; move vertices only"))
+    out.into_iter().collect::<Option<Vec<_>>>().ok_or_else(|| format!("{lost} vertices are gone; {MOVE_ONLY}"))
 }
 
 /// Sewn vertices that still lie together are made bit-equal again; if some do not, the shape is no longer welded.

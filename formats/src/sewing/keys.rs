@@ -107,6 +107,7 @@ pub static TOP: Keys = Keys {
         may("elastic", Form::Tables(&ELASTIC), "[[elastic]]", "Elastic bands that are sewn along edges."),
         may("fold", Form::Tables(&FOLD), "[[fold]]", "Folds that are pressed into pieces."),
         may("interlining", Form::Tables(&INTERLINING), "[[interlining]]", "Interlining on whole pieces."),
+        may("whole", Form::Tables(&WHOLE), "[[whole]]", "Pieces that were cut apart: their parts start as one."),
         may("copy", Form::Tables(&COPY), "[[copy]]", "Further copies of drawn pieces."),
         may("edge", Form::Tables(&EDGE), "[[edge]]", "Names for edges of pieces."),
         may("leave_out", Form::Texts, "[\"facing\"]", "Pieces that are not sewn."),
@@ -383,6 +384,17 @@ pub static INTERLINING: Keys = Keys {
         must("pieces", Form::Texts, "[\"collar\"]", "The pieces."),
         must("areal_mass", Form::ArealMass, "\"60 g/m2\"", "Its areal mass."),
         must("bending", Form::Bending, "\"40 uN.m\"", "Its bending rigidity, the same in all directions."),
+    ],
+};
+
+/// `[[whole]]`.
+pub static WHOLE: Keys = Keys {
+    name: "whole",
+    heading: "[[whole]]",
+    about: "A piece that was cut apart. Its parts start side by side, where the whole piece would start.",
+    keys: &[
+        must("name", Form::Text, "\"front\"", "Name of the whole piece. It tells the role, as names of pieces do."),
+        must("pieces", Form::Texts, "[\"front-middle\", \"front-side\"]", "Its parts, sewn to each other."),
     ],
 };
 

@@ -139,6 +139,9 @@ fn sewn(top: &mut Table<'_>, plan: &mut SewingPlan, walk: &mut Walk<'_>) {
     for (table, span) in tables(top, "interlining", walk) {
         plan.interlinings.extend(construction::interlining(table, span, walk));
     }
+    for (table, span) in tables(top, "whole", walk) {
+        plan.wholes.extend(place::whole(table, span, walk));
+    }
 }
 
 /// The tables of a `[[name]]` list.

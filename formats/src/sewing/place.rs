@@ -6,7 +6,7 @@ use super::walk::{Table, Value, Walk};
 use crate::codes::OUT_OF_RANGE;
 use std::ops::Range;
 use toile_garment::Vec3;
-use toile_garment::sewing::{Around, AttachSpec, AttachStrength, CopySpec, LayerSpec, PlaceSpec, Placement};
+use toile_garment::sewing::{Around, AttachSpec, AttachStrength, CopySpec, LayerSpec, PlaceSpec, Placement, WholeSpec};
 use toile_garment::units::{Angle, Length};
 use toml::de::{DeTable, DeValue};
 
@@ -156,6 +156,17 @@ pub fn layer(table: &DeTable<'_>, span: Range<usize>, walk: &mut Walk<'_>) -> Op
     let order = t.need("order", walk).and_then(|v| walk.integer(v, "order"));
     t.finish(walk);
     Some(LayerSpec { pieces: pieces?, order: order?, source: Some(walk.source(at, Some("layer"))) })
+}
+
+/// A piece that was cut apart.
+pub fn whole(table: &DeTable<'_>, span: Range<usize>, walk: &mut Walk<'_>) -> Option<WholeSpec> {
+    let at = span.start;
+    let mut t = Table::new(table, span, &keys::WHOLE);
+    let name = t.need("name", walk).and_then(|v| walk.text(v, "name"));
+    let pieces = t.need("pieces", walk).and_then(|v| walk.names(v, "pieces"));
+    t.finish(walk);
+    let (name, pieces) = (name?, pieces?);
+    Some(WholeSpec { source: Some(walk.source(at, Some(&format!("whole `{name}`")))), name, pieces })
 }
 
 /// An edge tied to the body.

@@ -27,6 +27,10 @@ pub fn text(plan: &SewingPlan, head: &str) -> String {
     plan.folds.iter().for_each(|f| fold(&mut out, f));
     plan.elastics.iter().for_each(|e| elastic(&mut out, e));
     plan.interlinings.iter().for_each(|i| interlining(&mut out, i));
+    for whole in &plan.wholes {
+        let names: Vec<String> = whole.pieces.iter().map(|n| quoted(n)).collect();
+        let _ = write!(out, "\n[[whole]]\nname = {}\npieces = [{}]\n", quoted(&whole.name), names.join(", "));
+    }
     plan.places.iter().for_each(|p| place(&mut out, p));
     for layer in &plan.layers {
         let names: Vec<String> = layer.pieces.iter().map(|n| quoted(n)).collect();
@@ -222,7 +226,7 @@ fn length(metres: f64) -> String {
 mod tests {
     use super::*;
     use toile_garment::Vec3;
-    use toile_garment::sewing::{AttachSpec, LayerSpec};
+    use toile_garment::sewing::{AttachSpec, LayerSpec, WholeSpec};
 
     #[test]
     fn what_is_written_is_read_again() {
@@ -278,6 +282,11 @@ mod tests {
                 bending: 4e-5,
                 source: None,
             }],
+            wholes: vec![WholeSpec {
+                name: "front".to_owned(),
+                pieces: vec!["front \"A\"".to_owned(), "side".to_owned()],
+                source: None,
+            }],
             places: vec![
                 PlaceSpec {
                     piece: "collar".to_owned(),
@@ -330,11 +339,12 @@ mod tests {
             plan.places.iter_mut().for_each(|x| x.source = None);
             plan.attachments.iter_mut().for_each(|x| x.source = None);
             plan.layers.iter_mut().for_each(|x| x.source = None);
+            plan.wholes.iter_mut().for_each(|x| x.source = None);
             plan
         };
         let read = bare(read);
         assert_eq!((&read.layers, &read.attachments), (&plan.layers, &plan.attachments));
-        assert_eq!(read.leave_out, plan.leave_out);
+        assert_eq!((&read.leave_out, &read.wholes), (&plan.leave_out, &plan.wholes));
         let (RunSpec::Points { from, way, .. }, RunSpec::Edge { .. }) = (&read.seams[0].a[0], &read.seams[0].a[1])
         else {
             panic!("runs: {:?}", read.seams[0].a)

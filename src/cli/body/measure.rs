@@ -12,7 +12,7 @@ use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use toile_garment::Diagnostic;
 use toile_garment::body::Body;
-use toile_stages::body::{Found, MESH_UNITS, MeshUnit, Stance, measured};
+use toile_stages::body::{Found, MESH_UNITS, MeshUnit, Stance, impossible, measured};
 
 /// A mesh and what was found on it.
 struct Taken {
@@ -89,6 +89,11 @@ fn take(args: &BodyMeasureArgs) -> Result<Taken, Vec<Diagnostic>> {
     let (stance, body) = upright(read.body, unit).map_err(|f| vec![*f])?;
     is_person(args, &body, &stance).map_err(|f| vec![f])?;
     let found = measured(&body);
+    let broken = "the mesh is no whole body there: close its holes, or write the measure in a side file";
+    let wrong: Vec<Diagnostic> = impossible(&found.body).into_iter().map(|f| f.hint(broken)).collect();
+    if !wrong.is_empty() {
+        return Err(wrong);
+    }
     let mut findings: Vec<Diagnostic> =
         read.findings.into_iter().filter(|f| f.code != toile_formats::codes::BODY_SIZE).collect();
     findings.extend(told(&found));

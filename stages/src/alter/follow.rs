@@ -10,7 +10,7 @@ use toile_formats::dxf::geom;
 use toile_garment::dart::DartKind;
 use toile_garment::sewing::{
     Around, AttachSpec, DartSpec, EdgeNameSpec, ElasticSpec, FoldSpec, InterliningSpec, LayerSpec, PlaceSpec,
-    Placement, RunSpec, RunWay, SewingPlan,
+    Placement, RunSpec, RunWay, SewingPlan, WholeSpec,
 };
 use toile_garment::{Diagnostic, Garment, Piece, PieceId, Vec2};
 
@@ -46,6 +46,7 @@ pub fn plan(garment: &Garment, shapes: &Shapes, id: PieceId, altered: &Altered) 
             .iter()
             .map(|i| InterliningSpec { pieces: follow.pieces(&i.pieces), ..i.clone() })
             .collect(),
+        wholes: follow.wholes(),
         leave_out: Vec::new(),
         leave_out_source: None,
     })
@@ -89,6 +90,19 @@ impl Follow<'_> {
         let parts = || self.altered.parts.iter().map(|p| p.name.clone());
         let each = |n: &String| if self.is_it(n) { parts().collect() } else { vec![n.clone()] };
         names.iter().flat_map(each).collect()
+    }
+
+    /// The pieces that were cut apart. The parts of a part are parts of the same whole.
+    fn wholes(&self) -> Vec<WholeSpec> {
+        let old = self.garment.plan.wholes.iter();
+        let mut wholes: Vec<WholeSpec> =
+            old.map(|w| WholeSpec { pieces: self.pieces(&w.pieces), ..w.clone() }).collect();
+        let is_part = self.garment.plan.wholes.iter().any(|w| w.pieces.iter().any(|p| self.is_it(p)));
+        if self.altered.parts.len() > 1 && !is_part {
+            let pieces = self.altered.parts.iter().map(|p| p.name.clone()).collect();
+            wholes.push(WholeSpec { name: self.name.to_owned(), pieces, source: None });
+        }
+        wholes
     }
 
     fn side(&self, side: &Side) -> Vec<RunSpec> {

@@ -21,6 +21,7 @@ use crate::sewing::resolve::{find, placed};
 use crate::sewing::shapes::{Shapes, shapes};
 use build::Altered;
 use params::Change;
+use std::collections::BTreeMap;
 use toile_garment::sewing::DartSpec;
 use toile_garment::{Aspect, Code, Diagnostic, Garment, PieceId, Report};
 use toile_stage_api::{Cost, Forecast, Stage, StageContext, StageError, StageInfo};
@@ -47,10 +48,15 @@ codes! {
     /// The changed piece would lie over itself. Exit code 2.
     ALTER_OVERLAPS = "alter-overlaps";
 
+    /// A change made one side of a seam longer than the other. The message tells both lengths.
+    ALTER_SEAM_DIFFERS = "alter-seam-differs";
+
     /// The legs of a changed dart differ in length. A step is left in the outline where it is closed.
     ALTER_LEGS_DIFFER = "alter-legs-differ";
 }
 
+/// The sides of a seam that differ by so much more than before are told, metres.
+const SEAM_DIFFERS: f64 = 1e-3;
 /// Sides whose lengths differ by less have no ease, metres.
 const NO_EASE: f64 = 5e-5;
 
@@ -86,11 +92,41 @@ impl Stage for Alter {
         let changes = params.change.iter().map(|c| spot::flattened(&garment, c)).collect::<Result<Vec<Change>, _>>();
         let changes = changes.map_err(StageError::parameter)?;
         unchanged_copies(&garment, &changes, cx.report);
-        let numbered = (1..).zip(&changes);
-        numbered.into_iter().try_fold(garment, |garment, (number, change)| {
-            alter(garment, change, cx.report).map_err(|error| of_change(number, error))
-        })
+        let mut told: Vec<String> = Vec::new();
+        let before = seam_lengths(&garment);
+        let altered = (1..).zip(&changes).try_fold(garment, |garment, (number, change)| {
+            alter(garment, change, &mut told, cx.report).map_err(|error| of_change(number, error))
+        })?;
+        if !told.is_empty() {
+            cx.report.push(Diagnostic::info(ALTERED, told.join("; ")));
+        }
+        cx.report.findings.extend(differing_seams(&before, &seam_lengths(&altered)));
+        Ok(altered)
     }
+}
+
+/// Lengths of both sides of all seams by their names, metres; none where a seam cannot be found.
+fn seam_lengths(garment: &Garment) -> BTreeMap<String, [f64; 2]> {
+    let found = shapes(garment).ok().and_then(|shapes| placed(find(garment, &shapes)).ok());
+    found.into_iter().flatten().map(|seam| (seam.name, [seam.a.length, seam.b.length])).collect()
+}
+
+/// The seams whose sides differ more than before.
+fn differing_seams(before: &BTreeMap<String, [f64; 2]>, after: &BTreeMap<String, [f64; 2]>) -> Vec<Diagnostic> {
+    let apart = |[a, b]: [f64; 2]| a - b;
+    let told = |(name, lengths): (&String, &[f64; 2])| {
+        let old = before.get(name)?;
+        let [a, b] = lengths.map(|l| 1e3 * l);
+        let message = format!(
+            "the sides of seam `{name}` differ by {:.1} mm now ({a:.1} on {b:.1} mm), and by {:.1} mm before",
+            (a - b).abs(),
+            1e3 * apart(*old).abs()
+        );
+        let hint = "change the other side alike, or ease the difference in where it is meant";
+        (apart(*lengths).abs() > apart(*old).abs() + SEAM_DIFFERS)
+            .then(|| Diagnostic::warning(ALTER_SEAM_DIFFERS, message).hint(hint))
+    };
+    after.iter().filter_map(told).collect()
 }
 
 /// Tells of pieces that are changed while their mirrored copy, or the piece that they are copies of, is not.
@@ -123,8 +159,13 @@ fn of_change(number: usize, error: StageError) -> StageError {
     }
 }
 
-/// Makes one change.
-fn alter(garment: Garment, change: &Change, report: &mut Report) -> Result<Garment, StageError> {
+/// Makes one change, and tells it.
+fn alter(
+    garment: Garment,
+    change: &Change,
+    told: &mut Vec<String>,
+    report: &mut Report,
+) -> Result<Garment, StageError> {
     let shapes = shapes(&garment).map_err(StageError::Input)?;
     let id = crate::sewing::lookup::piece(&garment, change.piece(), None).map_err(StageError::parameter)?;
     let altered = match change {
@@ -140,7 +181,7 @@ fn alter(garment: Garment, change: &Change, report: &mut Report) -> Result<Garme
         let hint = "let it pass beside it, or cross its legs; a pleat cannot be cut apart";
         return Err(StageError::parameter(Diagnostic::error(ALTER_LINE_LEAVES_PIECE, message).hint(hint)));
     }
-    report.push(Diagnostic::info(ALTERED, altered.told.clone()));
+    told.push(altered.told.clone());
     report.findings.extend(altered.findings.iter().cloned());
     put_in(garment, &shapes, id, altered, report)
 }

@@ -71,7 +71,8 @@ fn turn(garment: &Garment, shapes: &Shapes, id: PieceId, t: &Turn<'_>) -> Result
     let what = if t.opens {
         format!("turned {:.1} degrees", angle.abs().to_degrees())
     } else {
-        format!("closed, and the edge spread by {:.1} mm", 1e3 * (opened[0] - opened[1]).norm())
+        let edge = spot::edge_label(piece, slash.place);
+        format!("closed, and {edge} spread by {:.1} mm", 1e3 * (opened[0] - opened[1]).norm())
     };
     let (notches, holes) = if t.opens { marks(piece, dart, &darts[darts.len() - 1]) } else { Default::default() };
     let regions = polygons.into_iter().zip(motions).map(|(polygon, motion)| Region { polygon, motion, part: 0 });

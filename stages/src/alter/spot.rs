@@ -5,10 +5,11 @@ use super::{ALTER_DART, ALTER_PLACE};
 use crate::fit::nearest::closest;
 use crate::sewing::codes::RUN_WITHOUT_LENGTH;
 use crate::sewing::lookup;
-use crate::sewing::ring::{Gap, Ring};
+use crate::sewing::ring::{Gap, Ring, arcs, nearest_on};
 use crate::sewing::shapes::{Shapes, mm};
 use toile_formats::sewing::edge_place;
 use toile_garment::dart::{Dart, DartKind};
+use toile_garment::outline::OutlineEdge;
 use toile_garment::sewing::{EdgePlace, EdgeWay, RunSpec};
 use toile_garment::{Diagnostic, Garment, Piece, PieceId, Vec2, Vec3};
 
@@ -146,6 +147,17 @@ fn shares(p: Vec3, [a, b, c]: [Vec3; 3]) -> [f64; 2] {
     let (uu, uv, vv, du, dv) = (u.dot(&u), u.dot(&v), v.dot(&v), d.dot(&u), d.dot(&v));
     let det = (uu * vv - uv * uv).max(f64::MIN_POSITIVE);
     [(vv * du - uv * dv) / det, (uu * dv - uv * du) / det]
+}
+
+/// The edge of a piece that a place lies on, in words.
+pub fn edge_label(piece: &Piece, at: Vec2) -> String {
+    let away = |e: &&OutlineEdge| {
+        let line = piece.outline.edge_points(e);
+        nearest_on(&line, &arcs(&line, false), false, at).1
+    };
+    let edge = piece.edges.iter().min_by(|a, b| away(a).total_cmp(&away(b)));
+    let label = edge.map_or_else(String::new, |e| e.name.clone().unwrap_or_else(|| e.index.to_string()));
+    format!("edge `{}.{label}`", piece.name)
 }
 
 /// The arc position of a place on the outline.

@@ -11,6 +11,7 @@ mod dresser;
 mod facing;
 mod form;
 mod lean;
+mod parts;
 mod pull;
 mod sheet;
 mod upright;
@@ -19,6 +20,7 @@ mod whole_leg;
 pub(crate) use around::{Cylinder, side_angle};
 pub use dresser::Segment;
 pub use form::Form;
+pub use parts::{Arranged, Laid, Whole, arrange_wholes};
 pub use sheet::Sheet;
 
 use crate::roles::outline::{Polygon, turned};

@@ -323,3 +323,47 @@ fn the_hem_of_a_long_leg_in_one_piece_lies_around_its_leg() {
         assert!((crotch - 1e-3).abs() < 1e-6, "{crotch}");
     }
 }
+
+/// The front of the shirt in two, cut from the neckline to the hem. Of its seams those on the right half go to the part.
+fn shirt_in_two() -> (Vec<Piece>, Vec<Join>) {
+    let (mut pieces, mut joins) = shirt(["FRONT", "BACK", "SLEEVE", "SLEEVE-2"]);
+    let half = [[20.0, 0.0], [250.0, 0.0], [250.0, 360.0], [195.0, 545.0], [75.0, 590.0], [40.0, 510.0], [20.0, 510.0]];
+    let other = [[-250.0, 0.0], [20.0, 0.0], [20.0, 510.0], [-40.0, 510.0], [-75.0, 590.0], [-195.0, 545.0]];
+    let other = other.into_iter().chain([[-250.0, 360.0]]).collect::<Vec<_>>();
+    // The part is drawn elsewhere, and turned by a quarter.
+    let drawn = |[x, y]: [f64; 2]| [900.0 - y, x];
+    pieces[0] = piece(0, "P", &corners(&other));
+    pieces.push(piece(4, "Q", &corners(&half.map(drawn))));
+    for point in joins.iter_mut().flat_map(|j| &mut j.pairs).flatten().filter(|p| p.piece == 0 && p.at.x > 0.0) {
+        (point.piece, point.at) = (4, Vec2::new(0.9 - point.at.y, point.at.x));
+    }
+    let line = [[20.0, 0.0], [20.0, 510.0]];
+    joins.push(join("style line", (0, line), (4, line.map(drawn))));
+    (pieces, joins)
+}
+
+#[test]
+fn parts_of_a_piece_start_where_it_would() {
+    let (whole, whole_joins) = shirt(["FRONT", "BACK", "SLEEVE", "SLEEVE-2"]);
+    let expected = arranged(&whole, &whole_joins);
+    let (pieces, joins) = shirt_in_two();
+    let front = Whole { name: "FRONT".to_owned(), parts: vec![0, 4] };
+    let Arranged { arrangement: a, starts: laid, apart } =
+        arrange_wholes(&pieces, &joins, &[front], None, Given::nothing(5));
+    assert!(apart.is_empty());
+    assert!(a.unplaced.is_empty(), "{:?}", a.unplaced);
+    let at = |i: usize, p: Vec2| a.places[i].as_ref().expect("a place").sheet.at(laid[i].at(p));
+    let front = |p: Vec2| expected.places[0].as_ref().expect("a place").sheet.at(p);
+    for [x, y] in [[-250.0, 0.0], [-75.0, 590.0]] {
+        assert!((at(0, v(x, y)) - front(v(x, y))).norm() < 2e-3, "{:?} {:?}", at(0, v(x, y)), front(v(x, y)));
+    }
+    // The second part leaves a gap of 10 mm.
+    for [x, y] in [[250.0, 0.0], [75.0, 590.0]] {
+        let (found, whole) = (at(4, v(900.0 - y, x)), front(v(x + 10.0, y)));
+        assert!((found - whole).norm() < 2e-3, "{found:?} {whole:?}");
+    }
+    // Two sleeves are not sewn to each other, and start one by one.
+    let sleeves = Whole { name: "SLEEVES".to_owned(), parts: vec![2, 3] };
+    let found = arrange_wholes(&pieces, &joins, &[sleeves], None, Given::nothing(5));
+    assert_eq!((found.apart, found.arrangement.places.len()), (vec!["SLEEVES".to_owned()], 5));
+}

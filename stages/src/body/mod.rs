@@ -22,7 +22,7 @@ pub(crate) mod where_on;
 
 pub use found::{Found, GirthLine, MESH_UNITS, MeshUnit, Pose, Slices, Stance, measured, with_segments};
 pub use measures::{BodyGirths, BodyMeasures};
-pub use plausible::check as check_side_file;
+pub use plausible::{check as check_side_file, impossible};
 pub use section::{Section, girth_at, hull, section_at, section_near, sections};
 pub use sizes::{SIZE_TABLES, Size, SizeTable, like, range};
 

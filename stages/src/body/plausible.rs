@@ -15,12 +15,17 @@ const OUTSIDE: f64 = 0.05;
 /// A girth that differs from that of the mesh by more than this share of either is doubtful.
 const DIFFERS: f64 = 0.25;
 
+/// The errors on measures that no body has.
+#[must_use]
+pub fn impossible(body: &Body) -> Vec<Diagnostic> {
+    let frame = Frame::around(body);
+    body.measures.iter().filter_map(|(name, x)| frame.no_measure(name, *x)).collect()
+}
+
 /// The measures, landmarks and segments that cannot be those of this mesh. `side` is the name of the side file.
 pub fn check(body: &Body, side: &str) -> Vec<Diagnostic> {
-    let far = Vec3::repeat(f64::INFINITY);
-    let (low, high) = body.positions.iter().fold((far, -far), |(l, h), p| (l.inf(p), h.sup(p)));
-    let frame = Frame { low, high, slack: OUTSIDE * (high - low).max() };
-    let mut found: Vec<Diagnostic> = body.measures.iter().filter_map(|(name, x)| frame.no_measure(name, *x)).collect();
+    let frame = Frame::around(body);
+    let mut found = impossible(body);
     if found.is_empty() {
         found.extend(body.measures.iter().filter_map(|(name, x)| frame.too_high(name, *x)));
         found.extend(frame.beside(body));
@@ -37,6 +42,12 @@ struct Frame {
 }
 
 impl Frame {
+    fn around(body: &Body) -> Self {
+        let far = Vec3::repeat(f64::INFINITY);
+        let (low, high) = body.positions.iter().fold((far, -far), |(l, h), p| (l.inf(p), h.sup(p)));
+        Self { low, high, slack: OUTSIDE * (high - low).max() }
+    }
+
     /// The error on a measure that no body of this height has.
     fn no_measure(&self, name: &str, x: f64) -> Option<Diagnostic> {
         let (least, most) = range_of(name)?;

@@ -29,13 +29,14 @@ pub fn share(garment: &Garment, pieces: &mut [Piece], report: &mut Report) {
 fn told(names: &[&str], total: u32, each: u32) -> Diagnostic {
     let count = names.len() as u32;
     let words = format!("`{}` and its copies {} are drawn as pieces of their own", names[0], names[1..].join(", "));
+    let are = if each == 1 { "is" } else { "are" };
     let hint = "texts in the file that tell how often to cut stay as they were";
     if total == each * count {
-        Diagnostic::info(codes::QUANTITY_SHARED, format!("{words}: each is cut {each} times, {total} in all"))
+        Diagnostic::info(codes::QUANTITY_SHARED, format!("{words}: {each} of each {are} cut, {total} in all"))
             .hint(hint)
     } else {
         let now = each * count;
-        let message = format!("{words}: each is cut {each} times, {now} in all instead of {total}");
+        let message = format!("{words}: {each} of each {are} cut, {now} in all instead of {total}");
         Diagnostic::warning(codes::QUANTITY_SHARED, message).hint(hint)
     }
 }

@@ -32,6 +32,7 @@ pub fn plan(garment: &Garment, pieces: &[Piece]) -> SewingPlan {
         folds: copies::folds(plan).iter().filter_map(|f| fold(garment, pieces, f)).collect(),
         elastics: plan.elastics.iter().map(|e| elastic(garment, pieces, e)).collect(),
         interlinings: plan.interlinings.clone(),
+        wholes: plan.wholes.clone(),
         places: plan.places.clone(),
         layers: plan.layers.clone(),
         attachments: plan.attachments.iter().map(|a| attachment(a, garment)).collect(),

@@ -10,6 +10,7 @@ use crate::body::section_near;
 use crate::roles::{Part, joins_of_meshes, roles};
 use toile_formats::report::{Fit, FreeEdge, Level};
 use toile_garment::body::{Body, BodySegment};
+use toile_garment::flat::FlatMetric;
 use toile_garment::{Garment, Vec2, Vec3};
 
 /// A part of the body that a girth is taken around, and where.
@@ -51,9 +52,11 @@ const BESIDE: f64 = 0.02;
 const BELOW_ARMHOLE: f64 = 0.005;
 const STEPS_BELOW: u32 = 40;
 
-/// Measures a garment for its report.
+/// Measures a garment for its report. Where an edit in 3D was flattened, the flattened pieces are its pattern.
 #[must_use]
 pub fn measure(garment: &Garment) -> Fit {
+    let flattened = of_flattened(garment);
+    let garment = flattened.as_ref().unwrap_or(garment);
     let mut fit = Fit { maps: maps(garment), ..Fit::default() };
     let Some(surface) = Surface::of(garment).filter(|s| !s.triangles.is_empty()) else { return fit };
     let range = surface.range();
@@ -72,6 +75,19 @@ pub fn measure(garment: &Garment) -> Fit {
     fit.pieces = piece_sizes(garment);
     fit.range = Some(range);
     fit
+}
+
+/// The garment of the pieces that an edit in 3D gave; `None` where nothing was edited.
+fn of_flattened(garment: &Garment) -> Option<Garment> {
+    let flat = garment.flat.as_ref().filter(|f| f.metric != FlatMetric::Unedited)?;
+    let mut new = garment.clone();
+    for of in &flat.pieces {
+        let mesh = new.pieces.get_mut(of.piece.index()).and_then(|p| p.mesh.as_mut());
+        if let Some(mesh) = mesh.filter(|m| m.rest.len() == of.positions.len()) {
+            mesh.rest.clone_from(&of.positions);
+        }
+    }
+    Some(new)
 }
 
 /// The free edges with their names, from below to above.

@@ -201,7 +201,9 @@ impl Worn<'_> {
         let of = |parts: &'static [Part]| {
             move |(facing, name)| self.centre(facing, parts, named).and_then(|l| length(name, l))
         };
-        let trunk = trunks.into_iter().filter_map(of(&[Part::Bodice, Part::Yoke]));
+        // The yoke of a skirt hangs at the waist.
+        let has_trunk = self.roles.iter().any(|r| r.part == Some(Part::Bodice));
+        let trunk = trunks.into_iter().filter(|_| has_trunk).filter_map(of(&[Part::Bodice, Part::Yoke]));
         trunk.chain(skirts.into_iter().filter_map(of(&[Part::Skirt, Part::Tier]))).collect()
     }
 

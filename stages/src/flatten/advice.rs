@@ -84,7 +84,8 @@ fn worst(piece: &Piece, mesh: &PieceMesh, flat: &FlatPiece) -> Option<(Vec2, Str
         (0..steps).map(|s| to_side(place, at(s), at(s + 1))).fold(f64::INFINITY, f64::min)
     };
     let edge = piece.edges.iter().min_by(|a, b| away(a).total_cmp(&away(b)))?;
-    let name = edge.name.as_ref().map_or_else(|| format!("edge {}", edge.index), |n| format!("`{n}`"));
+    let label = edge.name.clone().unwrap_or_else(|| edge.index.to_string());
+    let name = format!("`{}.{label}`", piece.name);
     Some((place, name, away(edge)))
 }
 
@@ -118,8 +119,8 @@ mod tests {
 
     #[test]
     fn nothing_is_advised_that_cannot_be_cut() {
-        assert!(cure_of(-4.7, 0.001).contains("beside edge 0"), "{}", cure_of(-4.7, 0.001));
-        assert!(cure_of(-0.4, 0.001).contains("beside edge 0"));
+        assert!(cure_of(-4.7, 0.001).contains("beside `sheet.0`"), "{}", cure_of(-4.7, 0.001));
+        assert!(cure_of(-0.4, 0.001).contains("beside `sheet.0`"));
         assert!(cure_of(0.6, 0.05).contains("narrower than 1 mm"), "{}", cure_of(0.6, 0.05));
         assert!(cure_of(-0.04, 0.05).contains("a seam from there"));
         assert!(cure_of(10.0, 0.05).contains("9 mm wide"), "{}", cure_of(10.0, 0.05));

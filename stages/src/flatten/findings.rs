@@ -8,6 +8,9 @@ use toile_garment::mesh::PieceMesh;
 use toile_garment::seam::Seam;
 use toile_garment::{Diagnostic, Garment, Piece, Report, Vec2};
 
+/// Mean strain up to which a piece is eased in without a change.
+const EASED_IN: f64 = 1e-3;
+
 /// Which lengths were asked for, and what that proves.
 pub fn metric(garment: &Garment, metric: FlatMetric, report: &mut Report) {
     report.push(match metric {
@@ -25,14 +28,19 @@ pub fn metric(garment: &Garment, metric: FlatMetric, report: &mut Report) {
             "flattened on the lengths of the 3D surface: strain of the worn cloth becomes size of the pieces",
         ),
     });
-    if garment.drape.as_ref().is_some_and(|d| !d.welded) {
-        report.push(
-            Diagnostic::warning(
-                codes::FLATTEN_OPEN_SEAMS,
-                "the 3D shape has seams that are not closed; sewn edges may differ",
-            )
-            .hint("run `drape` until its certificate passes"),
+    if let Some(drape) = garment.drape.as_ref().filter(|d| !d.welded) {
+        let widest = garment.widest_gap(&drape.positions, |_| true);
+        let which = widest.map_or_else(
+            || "seams are not closed".to_owned(),
+            |(seam, gap)| format!("seam `{}` stands open by {:.1} mm", seam.name, 1e3 * gap),
         );
+        let what = format!("in the 3D shape {which}: edges that are sewn to each other may differ");
+        let hint = if garment.drape_before_edit.is_some() {
+            "an edit drew its sides apart: move the vertices of both sides alike in the editor"
+        } else {
+            "run `drape` until its certificate passes"
+        };
+        report.push(Diagnostic::warning(codes::FLATTEN_OPEN_SEAMS, what).hint(hint));
     }
 }
 
@@ -213,13 +221,15 @@ pub fn developable(piece: &Piece, mesh: &PieceMesh, flat: &FlatPiece, limit: f64
         degrees => format!("{degrees:.1} degrees of curvature"),
     };
     let what = format!(
-        "piece `{}` encloses {curvature}: no flat piece avoids {:.2} % strain (mean {:.2} %)",
+        "piece `{}` encloses {curvature}: laid flat, its cloth stretches or shrinks by up to {:.2} % (mean {:.2} %)",
         piece.name,
         100.0 * largest,
         100.0 * mean
     );
     let cure = advice::cure(piece, mesh, flat);
-    report.push(Diagnostic::warning(codes::PIECE_NOT_DEVELOPABLE, what).at(piece.source.clone()).hint(cure));
+    // Cloth of little strain is eased in, and nobody cuts for it.
+    let told = if mean > EASED_IN { Diagnostic::warning } else { Diagnostic::info };
+    report.push(told(codes::PIECE_NOT_DEVELOPABLE, what).at(piece.source.clone()).hint(cure));
 }
 
 /// The outline of a piece goes through itself at these places of the flat piece.

@@ -2,29 +2,30 @@
 
 use super::place::{Wrap, is_arranged, spec_of};
 use super::{codes, plan_check};
-use crate::arrange::{Arrangement, Given, Sheet, arrange};
+use crate::arrange::{Arranged, Arrangement, Given, Laid, Sheet, Whole, arrange_wholes};
 use crate::body::with_segments;
 use crate::roles::{Join, PiecePoint, joins_of_meshes, joins_of_plan, roles};
 use crate::sewing::resolve::ResolvedSeam;
 use crate::solve::Layout;
 use crate::solve::layer_of;
 use toile_garment::body::Body;
-use toile_garment::sewing::{AttachSpec, AttachStrength, Placement};
-use toile_garment::{Diagnostic, Garment, Piece, Report, Vec3};
+use toile_garment::sewing::{AttachSpec, AttachStrength, Placement, WholeSpec};
+use toile_garment::{Diagnostic, Garment, Piece, PieceId, Report, Vec2, Vec3};
 
 /// Confidence of a place below which its piece is named in the finding.
 const SURE: f64 = 0.5;
 
 /// Where the pieces without a place of their own start; nothing where all have one.
 #[derive(Clone, Debug, Default)]
-pub struct Arranged {
-    pub(super) sheets: Vec<Option<Sheet>>,
+pub struct Starts {
+    pub(super) by_piece: Vec<Option<(Sheet, Laid)>>,
 }
 
-impl Arranged {
-    /// The sheet of a piece.
-    pub fn sheet(&self, piece: &Piece) -> Option<&Sheet> {
-        self.sheets.get(piece.id.index())?.as_ref()
+impl Starts {
+    /// Where the points of a piece start.
+    pub fn start(&self, piece: &Piece) -> Option<impl Fn(Vec2) -> Vec3> {
+        let (sheet, laid) = self.by_piece.get(piece.id.index())?.as_ref()?;
+        Some(|p| sheet.at(laid.at(p)))
     }
 }
 
@@ -33,9 +34,10 @@ impl Arranged {
 ///
 /// # Errors
 /// All pieces that cannot be placed, each with the reason.
-pub fn arranged(garment: &mut Garment, report: &mut Report) -> Result<Arranged, Vec<Diagnostic>> {
+pub fn arranged(garment: &mut Garment, report: &mut Report) -> Result<Starts, Vec<Diagnostic>> {
+    report.findings.extend(placed_parts(garment));
     if !garment.pieces.iter().any(|p| is_arranged(garment, p)) {
-        return Ok(Arranged::default());
+        return Ok(Starts::default());
     }
     if let Some(body) = &garment.body {
         let whole = with_segments(body);
@@ -46,7 +48,10 @@ pub fn arranged(garment: &mut Garment, report: &mut Report) -> Result<Arranged, 
         }
         garment.body = Some(whole);
     }
-    let arrangement = arrangement_of(garment, &joins_of_meshes(garment));
+    let Arranged { arrangement, starts, apart } = arrangement_of(garment, &joins_of_meshes(garment));
+    report
+        .findings
+        .extend(apart.iter().map(|name| unused_whole(garment, name, "are not sewn to one another side by side")));
     let errors: Vec<Diagnostic> = faults(garment, &arrangement).collect();
     if !errors.is_empty() {
         return Err(errors);
@@ -56,8 +61,8 @@ pub fn arranged(garment: &mut Garment, report: &mut Report) -> Result<Arranged, 
         garment.plan.attachments = held(garment, &arrangement);
         report.push(finding_of_held(garment));
     }
-    let sheets = arrangement.places.into_iter().map(|place| place.map(|p| p.sheet)).collect();
-    Ok(Arranged { sheets })
+    let starts = arrangement.places.into_iter().zip(starts).map(|(place, laid)| Some((place?.sheet, laid)));
+    Ok(Starts { by_piece: starts.collect() })
 }
 
 /// Pieces that cannot be placed, and seams that are out of reach, as far as the sewing file tells.
@@ -70,7 +75,7 @@ pub fn foreseen(garment: &Garment) -> Vec<Diagnostic> {
     let joins = joins_of_plan(&seams, &shapes);
     let mut found = out_of_reach(garment, &seams, &joins);
     if garment.pieces.iter().any(|p| is_arranged(garment, p)) {
-        found.extend(faults(garment, &arrangement_of(garment, &joins)));
+        found.extend(faults(garment, &arrangement_of(garment, &joins).arrangement));
     }
     found
 }
@@ -87,12 +92,44 @@ fn out_of_reach(garment: &Garment, seams: &[ResolvedSeam], joins: &[Join]) -> Ve
     seams.iter().zip(joins).filter_map(beyond).collect()
 }
 
-fn arrangement_of(garment: &Garment, joins: &[Join]) -> Arrangement {
+fn arrangement_of(garment: &Garment, joins: &[Join]) -> Arranged {
     let given = Given {
         sheets: garment.pieces.iter().map(|p| given(garment, p)).collect(),
         layers: garment.pieces.iter().map(|p| layer_of(garment, p)).collect(),
     };
-    arrange(&garment.pieces, &roles(&garment.pieces, joins), joins, garment.body.as_ref(), given)
+    arrange_wholes(&garment.pieces, joins, &wholes(garment), garment.body.as_ref(), given)
+}
+
+/// The pieces that were cut apart, but for those of which a person places a part.
+fn wholes(garment: &Garment) -> Vec<Whole> {
+    let whole = |spec: &WholeSpec| {
+        let part = |name: &String| crate::sewing::lookup::piece(garment, name, None).ok().map(PieceId::index);
+        let parts = spec.pieces.iter().map(part).collect::<Option<Vec<usize>>>()?;
+        placed_part(garment, spec).is_none().then(|| Whole { name: spec.name.clone(), parts })
+    };
+    garment.plan.wholes.iter().filter_map(whole).collect()
+}
+
+/// A part that a person places.
+fn placed_part<'g>(garment: &'g Garment, spec: &WholeSpec) -> Option<&'g Piece> {
+    let is_part = |p: &&Piece| spec.pieces.iter().any(|name| name.eq_ignore_ascii_case(&p.name));
+    garment.pieces.iter().filter(is_part).find(|p| !is_arranged(garment, p))
+}
+
+/// Whole pieces of which a person places a part.
+fn placed_parts(garment: &Garment) -> Vec<Diagnostic> {
+    let placed = |spec: &WholeSpec| {
+        let part = placed_part(garment, spec)?;
+        Some(unused_whole(garment, &spec.name, &format!("start one by one, for `{}` has a [[place]]", part.name)))
+    };
+    garment.plan.wholes.iter().filter_map(placed).collect()
+}
+
+fn unused_whole(garment: &Garment, name: &str, why: &str) -> Diagnostic {
+    let source = garment.plan.wholes.iter().find(|w| w.name == name).and_then(|w| w.source.clone());
+    Diagnostic::warning(codes::WHOLE_UNUSED, format!("the parts of `{name}` {why}"))
+        .at(source)
+        .hint("take the [[whole]] out of the sewing file, or the [[place]] of its part")
 }
 
 /// For every vertex of a garment, whether its piece is sewn on when all others are sewn.

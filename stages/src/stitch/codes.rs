@@ -51,8 +51,8 @@ codes! {
     /// A [[place]] names a segment that the body does not have. The message lists them. Exit code 2.
     BODY_SEGMENT_UNKNOWN = "body-segment-unknown";
 
-    /// `fabrics` names a material that no piece is of, so this fabric is not used. The hint lists the materials of the
-    /// pattern.
+    /// `fabrics` names neither a material nor a piece of the pattern, so this fabric is not used. The hint lists the
+    /// materials of the pattern.
     FABRIC_UNUSED = "fabric-unused";
 
     /// A skirt or trousers without shoulders and without an [[attach]] would fall: the upper edges are held at the
@@ -91,6 +91,10 @@ codes! {
 
     /// A waist seam started where the body is wider than it. All pieces that lie on no arm were raised or lowered.
     START_RAISED = "start-raised";
+
+    /// The parts of a [[whole]] start one by one: one of them has a [[place]], or they are not sewn to one another side by
+    /// side. The message tells which.
+    WHOLE_UNUSED = "whole-unused";
 
     /// Pieces were sewn without meeting a forearm that stood in their way. The drape meets the whole body. A list
     /// `ignores` in a [[place]] says otherwise.

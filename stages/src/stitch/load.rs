@@ -55,18 +55,21 @@ fn fabrics(params: &StitchParams, garment: &mut Garment, cx: &mut StageContext<'
         }
     }
     let materials: BTreeSet<&str> = garment.pieces.iter().filter_map(|p| p.material.as_deref()).collect();
-    let unused = params.fabrics.keys().filter(|m| !garment.pieces.is_empty() && !materials.contains(m.as_str()));
-    cx.report.findings.extend(unused.map(|material| no_such_material(material, &materials)));
+    let is_known = |key: &str| materials.contains(key) || garment.pieces.iter().any(|p| p.name == key);
+    let unused = params.fabrics.keys().filter(|key| !garment.pieces.is_empty() && !is_known(key));
+    let names: Vec<&str> = garment.pieces.iter().map(|p| p.name.as_str()).collect();
+    cx.report.findings.extend(unused.map(|key| no_such_material(key, &materials, &names)));
     errors
 }
 
-fn no_such_material(material: &str, known: &BTreeSet<&str>) -> Diagnostic {
-    let message = format!("with.fabrics names the material `{material}`, and no piece is of it");
-    let known = known.iter().map(|m| format!("`{m}`")).collect::<Vec<_>>().join(", ");
-    let hint = if known.is_empty() {
-        "no piece of the pattern names a material".to_owned()
+fn no_such_material(key: &str, materials: &BTreeSet<&str>, pieces: &[&str]) -> Diagnostic {
+    let message = format!("with.fabrics names `{key}`, which is neither a material nor a piece of the pattern");
+    let materials = materials.iter().map(|m| format!("`{m}`")).collect::<Vec<_>>().join(", ");
+    let near = crate::sewing::lookup::nearest(key, pieces);
+    let hint = if materials.is_empty() {
+        format!("no piece names a material; {near}")
     } else {
-        format!("the pattern has {known}")
+        format!("the materials are {materials}; {near}")
     };
     Diagnostic::warning(codes::FABRIC_UNUSED, message).hint(hint)
 }

@@ -45,7 +45,7 @@ pub struct StitchParams {
     /// Fabric of all pieces without one of their own.
     #[schemars(extend("format" = "input-file"))]
     pub fabric: PathBuf,
-    /// Fabrics by the material name of the pieces.
+    /// Fabrics by the material of pieces, or by the name of a piece, which wins.
     #[serde(default)]
     #[schemars(schema_with = "fabric_files")]
     pub fabrics: BTreeMap<String, PathBuf>,

@@ -1,6 +1,6 @@
 //! Where every piece starts in 3D.
 
-use super::arranged::Arranged;
+use super::arranged::Starts;
 use super::{codes, folded};
 use crate::arrange::{Cylinder, Sheet, side_angle};
 use crate::codes::BODY_MISSING;
@@ -17,7 +17,7 @@ const STACK_GAP: f64 = 0.015;
 ///
 /// # Errors
 /// All pieces that cannot be placed, each with the reason.
-pub fn place(garment: &Garment, arranged: &Arranged, clearance: f64) -> Result<Vec<Vec<Vec3>>, Vec<Diagnostic>> {
+pub fn place(garment: &Garment, arranged: &Starts, clearance: f64) -> Result<Vec<Vec<Vec3>>, Vec<Diagnostic>> {
     let mut errors = Vec::new();
     let specs: Vec<Option<&PlaceSpec>> = garment.pieces.iter().map(|p| spec_of(garment, p)).collect();
     let wraps = wraps(garment, &specs, clearance, &mut errors);
@@ -32,11 +32,10 @@ pub fn place(garment: &Garment, arranged: &Arranged, clearance: f64) -> Result<V
                     placed.push(folded::start(piece, &garment.seams, |p| wrap.at(p)));
                 }
             }
-            moved => match arranged.sheet(piece) {
-                Some(sheet) => {
-                    let by = if let Some(Placement::Moved { by }) = moved { Some(by) } else { None };
-                    placed
-                        .push(folded::start(piece, &garment.seams, |p| by.map_or(sheet.at(p), |by| sheet.at(p) + by)));
+            moved => match arranged.start(piece) {
+                Some(start) => {
+                    let by = if let Some(Placement::Moved { by }) = moved { *by } else { Vec3::zeros() };
+                    placed.push(folded::start(piece, &garment.seams, |p| start(p) + by));
                 }
                 None => errors.push(not_placed(piece)),
             },
@@ -262,6 +261,7 @@ fn fits(body: &Body, wraps: &[Wrap], i: usize, away: f64) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::arrange::Laid;
     use toile_garment::PieceId;
     use toile_garment::body::BodySegment;
     use toile_garment::mesh::PieceMesh;
@@ -298,7 +298,7 @@ mod tests {
 
     #[test]
     fn front_and_back_stand_apart_even_when_wide() {
-        let placed = place(&garment(0.7), &Arranged::default(), 0.02).expect("placed");
+        let placed = place(&garment(0.7), &Starts::default(), 0.02).expect("placed");
         let top = placed[0][3];
         assert!((top.y - 1.2).abs() < 1e-12);
         assert!(placed[0].iter().all(|p| p.z > -0.01), "{:?}", placed[0]);
@@ -310,7 +310,7 @@ mod tests {
     fn a_moved_piece_starts_beside_the_place_that_is_found() {
         let (mut g, by) = (garment(0.4), Vec3::new(0.01, 0.03, -0.02));
         let sheet = Sheet { origin: Vec3::new(0.0, 0.9, 0.2), ..Sheet::facing(Vec3::z(), Vec3::y(), 0.0) };
-        let arranged = Arranged { sheets: vec![Some(sheet), None] };
+        let arranged = Starts { by_piece: vec![Some((sheet, Laid::default())), None] };
         let front = |g: &Garment| place(g, &arranged, 0.02).expect("placed").remove(0);
         g.plan.places.remove(0);
         let found = front(&g);
@@ -324,7 +324,7 @@ mod tests {
     fn a_piece_without_a_place_is_named() {
         let mut g = garment(0.4);
         g.plan.places.pop();
-        let errors = place(&g, &Arranged::default(), 0.02).expect_err("one is missing");
+        let errors = place(&g, &Starts::default(), 0.02).expect_err("one is missing");
         assert_eq!((errors.len(), errors[0].code.as_str()), (1, "piece-not-placed"));
         assert!(errors[0].message.contains("back"));
     }
@@ -336,7 +336,7 @@ mod tests {
             rotation: [[-1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, -1.0]],
             translation: Vec3::new(0.1, 0.2, -0.3),
         };
-        let placed = place(&g, &Arranged::default(), 0.02).expect("placed");
+        let placed = place(&g, &Starts::default(), 0.02).expect("placed");
         assert!((placed[0][2] - Vec3::new(-0.3, 0.5, -0.3)).norm() < 1e-15);
     }
 }

@@ -60,7 +60,7 @@ pub const WORDS: &[Words] = &[
     ("fabric-name-missing", "面料没有名称。", "写上名称，以便在报告中区分。"),
     ("fabric-not-known", "toile new 不认识此面料，也没有这样的文件。", "从提示列出的面料中选择。"),
     ("fabric-syntax", "面料文件在此处不符合 TOML 语法。", "按说明改正。"),
-    ("fabric-unused", "fabrics 指定了没有裁片使用的材料，此面料未使用。", "从提示列出的材料中选择。"),
+    ("fabric-unused", "fabrics 中的名称既不是材料也不是裁片，此面料未使用。", "从提示列出的材料中选择，或写裁片名称。"),
     ("fabric-value", "面料的数值超出范围、类型不对或单位不对。", "按说明改正。"),
     (
         "fabric-value-missing",

@@ -34,6 +34,7 @@ pub fn set_aside(garment: &mut Garment, errors: &[Diagnostic]) -> Doubts {
     plan.places.retain(|p| !doubts.has_edge(&p.piece, None));
     plan.layers.iter_mut().for_each(|l| l.pieces.retain(|p| !doubts.has_edge(p, None)));
     plan.interlinings.iter_mut().for_each(|i| i.pieces.retain(|p| !doubts.has_edge(p, None)));
+    plan.wholes.iter_mut().for_each(|w| w.pieces.retain(|p| !doubts.has_edge(p, None)));
     plan.darts.retain(|d| !doubts.has_edge(&d.piece, None));
     plan.folds.retain(|f| !doubts.has_edge(&f.piece, None));
     doubts

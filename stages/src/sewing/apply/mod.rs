@@ -89,8 +89,10 @@ fn check_seams(garment: &Garment, rings: &Shapes) -> Vec<Diagnostic> {
         let run = toile_garment::sewing::RunSpec::Edge { piece: attach.piece.clone(), edge: attach.edge.clone() };
         errors.extend(super::lookup::run(garment, rings, &run, attach.source.as_ref()).err());
     }
-    for spec in &garment.plan.interlinings {
-        let found = spec.pieces.iter().map(|name| super::lookup::piece(garment, name, spec.source.as_ref()));
+    let stiffened = garment.plan.interlinings.iter().map(|i| (&i.pieces, &i.source));
+    let cut = garment.plan.wholes.iter().map(|w| (&w.pieces, &w.source));
+    for (pieces, source) in stiffened.chain(cut) {
+        let found = pieces.iter().map(|name| super::lookup::piece(garment, name, source.as_ref()));
         errors.extend(found.filter_map(Result::err));
     }
     errors.extend(garment.plan.elastics.iter().filter_map(|e| elastic_side(garment, rings, e).err()));

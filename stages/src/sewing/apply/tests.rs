@@ -353,8 +353,21 @@ fn the_neck_of_two_pieces_needs_its_direction() {
     assert_eq!(errors[0].code, "seam-direction-ambiguous");
     // A shoulder that joins the end of the first to the start of the second settles it.
     let shoulder = seam("shoulder", edge("front", "3"), edge("back", "1"));
-    let plan = SewingPlan { seams: vec![shoulder, seam("neck", both, edge("band", "0"))], ..SewingPlan::default() };
-    apply(&mut garment, plan, &mut Report::default()).expect("settled by the shoulder");
+    let turned = both.iter().rev().cloned().collect();
+    let mut starts = |list: Vec<RunSpec>, reverse: Option<bool>| {
+        let neck = SeamSpec { reverse, ..seam("neck", list, edge("band", "0")) };
+        let plan = SewingPlan { seams: vec![shoulder.clone(), neck], ..SewingPlan::default() };
+        garment.plan = SewingPlan::default();
+        apply(&mut garment, plan, &mut Report::default()).expect("settled by the shoulder");
+        let shapes = crate::sewing::shapes::shapes(&garment).expect("shapes");
+        let found = crate::sewing::resolve::find(&garment, &shapes);
+        let found = crate::sewing::resolve::placed(found).expect("found");
+        found[1].a.spans.iter().map(|s| (s.piece.index(), s.forward)).collect::<Vec<_>>()
+    };
+    assert_eq!(starts(both.clone(), None), [(0, true), (1, true)]);
+    // The list written the other way round is the same seam, walked the other way.
+    assert_eq!(starts(turned, None), [(1, false), (0, false)]);
+    assert_eq!(starts(both, Some(true)), [(0, true), (1, true)]);
 }
 
 /// A skirt front with a needle of 3 × 190 mm in its waist that the reader left undecided, cut or drawn as lines, and

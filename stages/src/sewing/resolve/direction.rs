@@ -1,9 +1,10 @@
 //! The ends of a seam that meet.
 //!
 //! Two points state it: `a.from` meets `b.from`. Edges by name or number do not. A list of edges that follow one another
-//! is walked in the order written. Two pieces that both lie right side out are sewn against each other's sense: one
-//! outline forward, the other backward. Only so does the right side stay outside. `reverse = false` states the opposite
-//! (a fold-over). Notches must agree with the reading, or both readings are shown.
+//! is walked in the order written, and edges of several pieces so that their corners meet. Two pieces that both lie right
+//! side out are sewn against each other's sense: one outline forward, the other backward. Only so does the right side stay
+//! outside. `reverse = false` states the opposite (a fold-over). Notches must agree with the reading, or both readings are
+//! shown.
 //!
 //! A line inside a piece has cloth on both sides, so no sense follows from it: an edge is sewn along it as both are
 //! drawn, unless `reverse` says otherwise.
@@ -36,8 +37,8 @@ pub fn settle(
         (Some(x), None) => (x, x != against),
         (None, Some(y)) => (y != against, y),
         (None, None) => {
-            check_one_reading(garment, shapes, spec, &a, &b)?;
-            (true, !against)
+            let forward = reads_forward(garment, shapes, spec, &a, &b)?;
+            (forward, forward != against)
         }
     };
     turn(&mut a, way_a);
@@ -104,16 +105,17 @@ fn contradiction(
     }
 }
 
-/// A list of edges of several pieces can be walked forward or backward; with one edge a side both are the same seam.
-fn check_one_reading(
+/// A list of edges of several pieces can be walked forward or backward: the corners of the pieces tell which. With one edge a
+/// side both are the same seam.
+fn reads_forward(
     garment: &Garment,
     shapes: &Shapes,
     spec: &SeamSpec,
     a: &[RawRun],
     b: &[RawRun],
-) -> Result<(), Diagnostic> {
+) -> Result<bool, Diagnostic> {
     if a.len() == 1 && b.len() == 1 {
-        return Ok(());
+        return Ok(true);
     }
     // Many runs: the order within the list is written for one sense only. The corners must tell which.
     let reversed = |forward: bool| {
@@ -124,8 +126,8 @@ fn check_one_reading(
     };
     let (forward, backward) = (reversed(true), reversed(false));
     // A ring of two pieces (an armhole) is joined at both ends in either sense: then the file must say it.
-    if forward > backward || forward == backward && spec.reverse.is_some() {
-        return Ok(());
+    if forward != backward || spec.reverse.is_some() {
+        return Ok(forward >= backward);
     }
     let why = "names edges of several pieces, and their corners fit in both senses".to_owned();
     Err(both_readings(garment, shapes, spec, a, b, why))
