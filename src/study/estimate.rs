@@ -127,7 +127,7 @@ mod tests {
         let at = |h: f64| Lengths {
             hems_mm: vec![300.0 + 0.5 * power(h)],
             girths_mm: vec![900.0 - 0.8 * power(h)],
-            tapes_mm: vec![],
+            ..Lengths::default()
         };
         let (coarse, fine) = (at(16.0), at(11.0));
         let levels = (Level { edge: 16.0, lengths: &coarse }, Level { edge: 11.0, lengths: &fine });

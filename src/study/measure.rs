@@ -7,7 +7,7 @@
 
 use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
-use toile_stages::fit::{Hem, Nearest, Surface, along, tape};
+use toile_stages::fit::{Hem, Nearest, Surface, along, folds, tape};
 
 /// Girths are looked for at every tenth of the garment's height.
 const LEVELS: u32 = 10;
@@ -27,6 +27,9 @@ pub struct Lengths {
     pub girths_mm: Vec<f64>,
     /// Girths by the tape, mm.
     pub tapes_mm: Vec<f64>,
+    /// Depths of the folds of the free edge that has the most, the deepest first, mm.
+    #[serde(default)]
+    pub folds_mm: Vec<f64>,
 }
 
 impl Lengths {
@@ -89,8 +92,14 @@ pub fn lengths(surface: &Surface, levels: &[[f64; 5]]) -> Lengths {
     let mean = |girth: &dyn Fn(&Surface, f64) -> f64| {
         levels.iter().map(|at| 1e3 * at.iter().map(|y| girth(surface, *y)).sum::<f64>() / at.len() as f64).collect()
     };
+    let hems = surface.hems();
+    let deep = hems.iter().map(|h| folds(surface, h)).max_by(|a, b| {
+        let sum = |depths: &[f64]| depths.iter().sum::<f64>();
+        a.len().cmp(&b.len()).then(sum(a).total_cmp(&sum(b)))
+    });
     Lengths {
-        hems_mm: surface.hems().iter().map(|h: &Hem| 1e3 * h.height).collect(),
+        hems_mm: hems.iter().map(|h: &Hem| 1e3 * h.height).collect(),
+        folds_mm: deep.unwrap_or_default().iter().map(|depth| 1e3 * depth).collect(),
         girths_mm: mean(&along),
         tapes_mm: mean(&tape),
     }

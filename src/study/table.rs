@@ -5,7 +5,7 @@ use super::report::{Row, Study};
 use crate::table::Table;
 
 /// Heads of the columns.
-pub const HEADS: [&str; 13] = [
+pub const HEADS: [&str; 14] = [
     "setting",
     "triangles",
     "CPU s",
@@ -14,6 +14,7 @@ pub const HEADS: [&str; 13] = [
     "same folds mm, mean/p95/max",
     "own folds mm, mean/p95/max",
     "scatter mm",
+    "folds, mean depth mm",
     "hem/girth/tape mm",
     "estimate",
     "strain p95",
@@ -42,12 +43,20 @@ pub fn cells(study: &Study, number: usize) -> [String; HEADS.len()] {
         row.carried.as_ref().map_or_else(dash, distance),
         error.map_or_else(dash, distance),
         study.scatter_mm(number).map_or_else(dash, |s| format!("{s:.1}")),
+        row.lengths.as_ref().map_or_else(dash, folds),
         error.map_or_else(dash, lengths),
         row.estimate_to_finest_mm.filter(|_| !finest).map_or_else(dash, |g| format!("{g:.1}")),
         error.map_or_else(dash, |e| format!("{:+.2} %", 1e2 * e.strain_p95)),
         error.map_or_else(dash, |e| format!("{:+.1} %", 1e2 * e.energy_rel)),
         remarks(study, row, number),
     ]
+}
+
+/// Number of the folds of the free edge that has the most, and their mean depth.
+fn folds(lengths: &super::measure::Lengths) -> String {
+    let depths = &lengths.folds_mm;
+    let mean = depths.iter().sum::<f64>() / depths.len().max(1) as f64;
+    if depths.is_empty() { "0".to_owned() } else { format!("{} / {mean:.0}", depths.len()) }
 }
 
 /// Remarks on a row, in words.
@@ -88,7 +97,7 @@ pub fn text(study: &Study) -> String {
 /// The same as Markdown: only the columns that a buyer of accuracy needs.
 #[must_use]
 pub fn markdown(study: &Study) -> String {
-    let table = shown(study, &[0, 1, 2, 3, 4, 5, 6, 7, 11, 12], |t| t.markdown());
+    let table = shown(study, &[0, 1, 2, 3, 4, 5, 6, 7, 8, 12, 13], |t| t.markdown());
     crate::render::safe(&format!("{table}\n{}", lines(study)))
 }
 
@@ -118,6 +127,11 @@ pub fn words(study: &Study) -> Vec<String> {
     words.push(
         "Own folds: the distance of the drape that the mesh found by itself. Where it is far larger than in the same folds, \
          the mesh found other folds, which no setting can promise."
+            .to_owned(),
+    );
+    words.push(
+        "Folds are counted along the free edge that has the most of them: hollows between the edge and a taut line around \
+         it, 5 mm deep or more."
             .to_owned(),
     );
     if let Some(rests) = study.rows.iter().find_map(|r| r.scatter.as_ref()) {

@@ -47,7 +47,13 @@ pub const PAGES: &[(&str, &str)] = &[
     ("same folds mm, mean/p95/max", "相同褶皱 mm，平均/95 %/最大"),
     ("own folds mm, mean/p95/max", "自身褶皱 mm，平均/95 %/最大"),
     ("scatter mm", "离散 mm"),
+    ("folds, mean depth mm", "褶皱数，平均深度 mm"),
     ("hem/girth/tape mm", "下摆/围度/软尺 mm"),
+    (
+        "Folds are counted along the free edge that has the most of them: hollows between the edge and a taut line around \
+         it, 5 mm deep or more.",
+        "褶皱沿其最多的自由边计数：该边与绷紧围绕它的线之间深 5 mm 以上的凹处。",
+    ),
     ("estimate", "估计"),
     ("strain p95", "应变 95 %"),
     ("energy", "能量"),

@@ -8,6 +8,7 @@ mod along;
 mod balance;
 mod bent;
 mod edge_names;
+mod folds;
 mod girth;
 mod maps;
 mod measures;
@@ -18,6 +19,7 @@ mod surface;
 mod tailor;
 
 pub use bent::{PAD, bending, pressure, strain_beside_limit, tension};
+pub use folds::folds;
 pub use girth::{along, tape};
 pub use maps::{ease, maps, strain};
 pub use measures::{cut_in_plane, inside, level_height, measure};
