@@ -243,6 +243,13 @@ fn laws(project: &str) -> &'static str {
             "[curve]\nwarp = [[\"0 %\", \"0 N/m\"], [\"4 %\", \"30 N/m\"]]\n\
              weft = [[\"0 %\", \"0 N/m\"], [\"6 %\", \"30 N/m\"]]\nshear = \"30 N/m/rad\"\nbending = \"9 uN.m\"\n"
         }
+        "curves" => {
+            "[curve]\nwarp = [[\"0 %\", \"0 N/m\"], [\"4 %\", \"30 N/m\"]]\n\
+             weft = [[\"0 %\", \"0 N/m\"], [\"6 %\", \"30 N/m\"]]\n\
+             shear_force = [[\"2 deg\", \"2 N/m\"], [\"8 deg\", \"6 N/m\"]]\n\
+             bending_moment_warp = [[\"10 1/m\", \"0.2 mN\"], [\"200 1/m\", \"2 mN\"]]\n\
+             bending_moment_weft = [[\"10 1/m\", \"0.2 mN\"], [\"200 1/m\", \"2 mN\"]]\n"
+        }
         "isotropic" => "[isotropic]\nstretch = \"700 N/m\"\npoisson = 0.2\nbending = \"9 uN.m\"\n",
         _ => {
             "[linear]\nstretch_warp = \"800 N/m\"\nstretch_weft = \"600 N/m\"\nshear = \"40 N/m/rad\"\npoisson = 0.2\n\

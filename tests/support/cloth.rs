@@ -22,6 +22,10 @@ pub struct Cloth {
     pub bending: f64,
     /// 2HB, N.
     pub hysteresis: f64,
+    /// Angle (rad) and force (N/m) by which shear is stiffer up to there, written as a measured curve.
+    pub shear_knee: Option<[f64; 2]>,
+    /// Curvature (1/m) and moment per width (N) by which bending along the warp is stiffer up to there, in the same way.
+    pub bend_knee: Option<[f64; 2]>,
     /// Curvature without load along the warp, 1/m.
     pub curl: f64,
     /// Constants of bare springs along the yarns and off them, N/m.
@@ -46,6 +50,8 @@ impl Cloth {
             shear,
             bending,
             hysteresis: 0.0,
+            shear_knee: None,
+            bend_knee: None,
             curl: 0.0,
             springs: None,
             // Far from any strain met, and no farther: the law may be tabulated up to here.
@@ -76,13 +82,31 @@ impl Cloth {
                 }
             }
         }
-        text += &format!("[linear]\n{linear}shear = \"{} N/m/rad\"\nbending = \"{} N.m\"\n", self.shear, self.bending);
+        text += &format!("[linear]\n{linear}");
+        if self.shear_knee.is_none() {
+            text += &format!("shear = \"{} N/m/rad\"\n", self.shear);
+        }
+        let yarns: &[&str] = if self.bend_knee.is_none() { &["warp", "weft"] } else { &["weft"] };
+        yarns.iter().for_each(|yarn| text += &format!("bending_{yarn} = \"{} N.m\"\n", self.bending));
         if self.hysteresis > 0.0 {
             text += &format!("bending_hysteresis = \"{} N\"\n", self.hysteresis);
         }
         text += &format!("poisson = {:?}\n", self.poisson);
         if !kes.is_empty() {
             text += &format!("[kes]\n{kes}");
+        }
+        let rows = |[at, more]: [f64; 2], slope: f64, far: f64, [x, y]: [&str; 2]| {
+            let row = |p: f64| format!("[\"{p} {x}\", \"{} {y}\"]", slope * p + more);
+            format!("[{}, {}]\n", row(at), row(far))
+        };
+        if self.shear_knee.is_some() || self.bend_knee.is_some() {
+            text += "[curve]\n";
+        }
+        if let Some(knee) = self.shear_knee {
+            text += &format!("shear_force = {}", rows(knee, self.shear, 1.0, ["rad", "N/m"]));
+        }
+        if let Some(knee) = self.bend_knee {
+            text += &format!("bending_moment_warp = {}", rows(knee, self.bending, 1000.0, ["1/m", "N"]));
         }
         if let Some([yarn, bias]) = self.springs {
             text += &format!("[springs]\nyarn = \"{yarn} N/m\"\nbias = \"{bias} N/m\"\n");

@@ -60,8 +60,11 @@ pub struct Fabric {
     /// times softer over stiffer slope.
     #[serde(default)]
     pub poisson: f64,
-    /// Shear stiffness G, N/m per radian.
+    /// Shear stiffness G, N/m per radian: the smallest slope of the measured curve, where there is one.
     pub shear: f64,
+    /// Measured (angle rad, force per width N/m) pairs of shear, ascending from (0, 0), where the file gives them.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub shear_curve: Option<Vec<[f64; 2]>>,
     /// Bending rigidity along the warp, N·m.
     pub bend_warp: f64,
     /// Bending rigidity along the weft, N·m.
@@ -69,6 +72,13 @@ pub struct Fabric {
     /// Bending rigidity on the bias, N·m, where measured.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub bend_bias: Option<f64>,
+    /// Measured (curvature 1/m, moment per width N) pairs along the warp, ascending from (0, 0), where the file gives them.
+    /// `bend_warp` is their smallest slope.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub bend_curve_warp: Option<Vec<[f64; 2]>>,
+    /// The same along the weft.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub bend_curve_weft: Option<Vec<[f64; 2]>>,
     /// Bending hysteresis 2HB, N (KES), where measured.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub bend_hysteresis: Option<f64>,
@@ -159,6 +169,18 @@ impl Fabric {
             rest_curvature_warp: negative(self.rest_curvature_warp),
             rest_curvature_weft: negative(self.rest_curvature_weft),
             ..self.clone()
+        }
+    }
+
+    /// Shear force per width over the angle (rad), N/m: by the measured curve, or by the shear stiffness.
+    #[must_use]
+    pub fn shear_secant(&self, angle: f64) -> f64 {
+        match &self.shear_curve {
+            Some(points) if angle > 0.0 => {
+                let (a, b) = segment(points, angle);
+                (a[1] + (b[1] - a[1]) / (b[0] - a[0]) * (angle - a[0])) / angle
+            }
+            _ => self.shear,
         }
     }
 

@@ -38,6 +38,8 @@ pub fn fabric(e: &mut Entries) -> Option<Fabric> {
     let bend_warp = bending(e, "warp", areal_mass, &mut sources);
     let bend_weft = bending(e, "weft", areal_mass, &mut sources);
     let bend_bias = bending(e, "bias", areal_mass, &mut sources);
+    let [shear_curve, bend_curve_warp, bend_curve_weft] = ["shear_force", "bending_moment_warp", "bending_moment_weft"]
+        .map(|key| e.curves.get(key).map(|c| c.points.clone()));
     let bend_hysteresis = common(e, "bending_hysteresis", &mut sources);
     let [rest_curvature_warp, rest_curvature_weft] =
         ["rest_curvature_warp", "rest_curvature_weft"].map(|key| given(e, key, &mut sources));
@@ -55,9 +57,12 @@ pub fn fabric(e: &mut Entries) -> Option<Fabric> {
         stretch_weft: weft?,
         poisson,
         shear: shear?,
+        shear_curve,
         bend_warp: bend_warp?,
         bend_weft: bend_weft?,
         bend_bias,
+        bend_curve_warp,
+        bend_curve_weft,
         bend_hysteresis,
         bend_holds_friction: lengths,
         rest_curvature_warp,
@@ -203,6 +208,9 @@ fn shear(e: &mut Entries, poisson: f64, sources: &mut Sources) -> Option<f64> {
     if let Some(stretch) = entry(e, "isotropic", "stretch") {
         ways.push((stretch.value / (2.0 * (1.0 + poisson)), stretch, "isotropic.stretch"));
     }
+    if let Some(curve) = least_slope(e, "shear_force") {
+        ways.push((curve.value, curve, "curve.shear_force"));
+    }
     let mut places: Vec<_> = ways.iter().map(|(_, v, name)| ((*name).to_owned(), v.at.clone())).collect();
     if plain.is_some() {
         places.insert(0, ("shear".to_owned(), e.whole.clone()));
@@ -213,7 +221,11 @@ fn shear(e: &mut Entries, poisson: f64, sources: &mut Sources) -> Option<f64> {
     }
     let Some((value, entry, _)) = ways.into_iter().next() else {
         if e.findings.is_empty() {
-            missing(e, "shear stiffness", "give `shear` in N/m/rad in the table of the laws, or `[fast] eb5`");
+            missing(
+                e,
+                "shear stiffness",
+                "give `shear` in N/m/rad in the table of the laws, `[fast] eb5` or `[curve] shear_force`",
+            );
         }
         return None;
     };
@@ -231,6 +243,9 @@ fn bending(e: &mut Entries, direction: &str, areal_mass: Option<f64>, sources: &
             found.push((format!("{table}.{key}"), value.clone()));
         }
     }
+    if let Some(curve) = least_slope(e, &format!("bending_moment_{direction}")) {
+        found.push((format!("curve.bending_moment_{direction}"), curve));
+    }
     if let Some(length) = entry(e, "fast", &format!("bending_length_{direction}")) {
         let c = length.value;
         let value = areal_mass.unwrap_or(0.0) * GRAVITY * c * c * c;
@@ -247,6 +262,14 @@ fn bending(e: &mut Entries, direction: &str, areal_mass: Option<f64>, sources: &
     };
     sources.insert(format!("bend_{direction}"), entry.source);
     Some(entry.value)
+}
+
+/// The smallest slope of a measured curve.
+fn least_slope(e: &Entries, key: &str) -> Option<Entry> {
+    let curve = e.curves.get(key)?;
+    let slopes = curve.points.windows(2).map(|w| (w[1][1] - w[0][1]) / (w[1][0] - w[0][0]));
+    let value = slopes.fold(f64::INFINITY, f64::min);
+    Some(Entry { value, source: curve.source.clone(), at: curve.at.clone() })
 }
 
 /// Constants of the springs, both or none.

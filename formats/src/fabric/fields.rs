@@ -1,7 +1,7 @@
 //! The keys of a fabric file with their units and allowed ranges.
 
 use toile_garment::units::{
-    ArealMass, Bending, Curvature, Dimension, Hysteresis, Length, LineForce, Share, Shear, UnitError, parse,
+    Angle, ArealMass, Bending, Curvature, Dimension, Hysteresis, Length, LineForce, Share, Shear, UnitError, parse,
 };
 
 /// Unit of a value.
@@ -15,6 +15,7 @@ pub enum Unit {
     Hysteresis,
     Curvature,
     Share,
+    Angle,
     /// A plain number without dimension.
     Ratio,
 }
@@ -153,7 +154,7 @@ pub fn find(table: &str, key: &str) -> Option<&'static Field> {
 /// Keys known in a table.
 pub fn known(table: &'static str) -> impl Iterator<Item = &'static str> {
     let curves: &[&str] = match table {
-        "curve" => &["warp", "weft"],
+        "curve" => super::curve::WORDS,
         "look" => super::look::WORDS,
         _ => &[],
     };
@@ -181,6 +182,7 @@ pub fn value(unit: Unit, text: &str) -> Result<f64, UnitError> {
         Unit::Hysteresis => parse::<Hysteresis>(&text),
         Unit::Curvature => parse::<Curvature>(&text),
         Unit::Share => parse::<Share>(&text),
+        Unit::Angle => parse::<Angle>(&text),
         Unit::Ratio => text.trim().parse::<f64>().ok().filter(|v| v.is_finite()).ok_or_else(|| UnitError {
             message: format!("`{text}` is not a finite number; write a plain ratio, e.g. 0.3"),
         }),
@@ -198,6 +200,7 @@ pub fn units(unit: Unit) -> Option<&'static [(&'static str, f64)]> {
         Unit::Hysteresis => Some(Hysteresis::UNITS),
         Unit::Curvature => Some(Curvature::UNITS),
         Unit::Share => Some(Share::UNITS),
+        Unit::Angle => Some(Angle::UNITS),
         Unit::Ratio => None,
     }
 }
@@ -216,6 +219,7 @@ pub fn with_unit(unit: Unit, number: &str) -> String {
         Unit::Hysteresis => "N",
         Unit::Curvature => first::<Curvature>(),
         Unit::Share => first::<Share>(),
+        Unit::Angle => first::<Angle>(),
         Unit::Ratio => "",
     };
     format!("{number} {name}")

@@ -42,6 +42,8 @@
 //! - `[fast]` `e5_…`, `e20_…`, `e100_…` (strain at 5, 20, 100 gf/cm, `_warp` and `_weft`), `eb5` (bias strain at 5
 //!   gf/cm). The shear stiffness is G = 1.23 / eb5 N/m. `bending_…` or `bending_length_…` (B = areal mass · g · c³).
 //! - `[curve]` `warp = [["0 %", "0 N/m"], ["1 %", "20 N/m"], …]` and `weft`: measured samples, both columns rising.
+//!   `shear_force = [["0.5 deg", "2 N/m"], …]` in place of `shear`. `bending_moment_warp = [["50 1/m", "0.6 mN"], …]` and
+//!   `bending_moment_weft` in place of `bending_warp` and `bending_weft`. They may stand beside another table.
 //!
 //! - `[springs]` `yarn`, `bias` (N/m), beside one of the others. They are the constants of the springs of `model =
 //!   "springs"`: of edges within 22.5° of warp or weft, and of all others. Without the table they follow from the laws.

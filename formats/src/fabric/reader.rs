@@ -87,8 +87,7 @@ fn read_table(
         let word = key.get_ref().as_ref();
         match (table, word) {
             (_, word) if TEXTS.contains(&word) => {}
-            ("curve", "warp") => curve::read(toml, "warp", value, &origin, out),
-            ("curve", "weft") => curve::read(toml, "weft", value, &origin, out),
+            ("curve", word) if curve::WORDS.contains(&word) => curve::read(toml, word, value, &origin, out),
             ("look", word) if look::WORDS.contains(&word) => look::read(toml, word, value, out),
             _ => read_value(toml, table, key, value, &origin, out),
         }

@@ -1,5 +1,6 @@
 //! The JSON schema of a fabric file, built from the table of keys that the reader uses.
 
+use super::curve::{KINDS, Kind};
 use super::fields::{FIELDS, Field, TABLES, TEXTS, Unit, units};
 use crate::schema;
 use serde_json::{Map, Value, json};
@@ -24,7 +25,7 @@ fn about_table(table: &str) -> &'static str {
         "isotropic" => "One stiffness in all directions.",
         "kes" => "Figures of the Kawabata system, KES-F.",
         "fast" => "Figures of the SiroFAST system.",
-        "curve" => "Measured tension curves of strips with free sides.",
+        "curve" => "Measured curves: of strips with free sides, of shear and of bending.",
         "look" => "Weave, yarns, colour and sheen: what bitmaps of the cloth are drawn from.",
         _ => "Constants of the bare springs of `model = \"springs\"`, beside one of the other tables.",
     }
@@ -38,7 +39,7 @@ fn keys(table: &str) -> Map<String, Value> {
         keys.extend(super::look::schema());
     }
     if table == "curve" {
-        keys.extend(["warp", "weft"].map(|direction| (direction.to_owned(), curve(direction))));
+        keys.extend(KINDS.iter().map(|kind| (kind.key.to_owned(), curve(kind))));
     }
     keys
 }
@@ -72,7 +73,19 @@ fn plain(field: &Field) -> Value {
     }
 }
 
-fn curve(direction: &str) -> Value {
+fn about_curve(kind: &Kind) -> String {
+    let [first, second] = kind.columns;
+    let what = match kind.key {
+        "warp" => " along the warp",
+        "weft" => " along the weft",
+        "shear_force" => " of shear, in place of `shear`",
+        "bending_moment_warp" => " of bending per width, in place of `bending_warp`",
+        _ => " of bending per width, in place of `bending_weft`",
+    };
+    format!("Rows of {first} and {second}{what}; both columns rise.")
+}
+
+fn curve(kind: &Kind) -> Value {
     let cell = |unit: Unit| {
         let names = units(unit).unwrap_or_default();
         json!({ "type": "string", "description": format!("Units: {}.", schema::units(names)) })
@@ -81,10 +94,10 @@ fn curve(direction: &str) -> Value {
         "type": "array",
         "minItems": 2,
         "maxItems": 2,
-        "items": [cell(Unit::Share), cell(Unit::LineForce)]
+        "items": kind.units.map(cell)
     });
     json!({
-        "description": format!("Rows of strain and tension along the {direction}; both columns rise."),
+        "description": about_curve(kind),
         "type": "array",
         "minItems": 1,
         "items": row

@@ -224,3 +224,35 @@ fn constants_of_springs_stand_beside_a_law_and_in_pairs() {
     assert_eq!(codes(&with("yarn = 450\nbias = \"50 N/m\"\n")), ["unit-missing"]);
     assert_eq!(read(LINEAR, "f.toml").expect("read").springs, None);
 }
+
+#[test]
+fn curves_of_shear_and_bending() {
+    let with = |rows: &str| {
+        format!(
+            "name = \"c\"\nareal_mass = \"200 g/m2\"\nthickness = \"0.4 mm\"\nfriction = 0.3\n[linear]\n\
+             stretch_warp = \"900 N/m\"\nstretch_weft = \"700 N/m\"\n[curve]\nmethod = \"KES-F\"\n{rows}\n"
+        )
+    };
+    let good = "shear_force = [[\"0.5 deg\", \"1 N/m\"], [\"5 deg\", \"4 N/m\"]]\n\
+                bending_moment_warp = [[\"20 1/m\", \"0.4 mN\"], [\"2.5 1/cm\", \"2.7 mN\"]]\n\
+                bending_moment_weft = [[\"250 1/m\", \"2 mN\"]]";
+    let f = read(&with(good), "f.toml").expect("curves");
+    let degree = std::f64::consts::PI / 180.0;
+    assert!((f.shear - 3.0 / (4.5 * degree)).abs() < 1e-9, "the smallest slope: {}", f.shear);
+    assert!((f.shear_secant(0.5 * degree) - 2.0 / degree).abs() < 1e-9);
+    assert_eq!(f.shear_curve.as_ref().map(Vec::len), Some(3), "the origin goes without saying");
+    assert!((f.bend_warp - 1e-5).abs() < 1e-15 && (f.bend_weft - 8e-6).abs() < 1e-15);
+    assert_eq!(f.sources["shear"].method, "KES-F");
+    for (rows, code, words) in [
+        (good.replace("\"5 deg\"", "\"70 deg\""), "fabric-curve", "row 2 of the shear curve"),
+        (good.replace("\"2.7 mN\"", "\"0.2 mN\""), "fabric-curve", "the moment falls or stays"),
+        (good.replace("\"5 deg\"", "\"5 %\""), "fabric-curve", "row 2 of the shear curve"),
+        (good.replace("shear_force = [", "shear_force = \"a\" # ["), "fabric-curve", "must be a list of rows"),
+        (format!("{good}\nshear = \"40 N/m/rad\""), "fabric-value-twice", "the shear stiffness"),
+        (format!("{good}\nbending_warp = \"4 uN.m\""), "fabric-value-twice", "bending along the warp"),
+        (good.replace("bending_moment_weft", "bending_moment_bias"), "unknown-key", "bending_moment_bias"),
+    ] {
+        let found = read(&with(&rows), "f.toml").expect_err("refused");
+        assert!(found.iter().any(|d| d.code == code && d.message.contains(words)), "{rows}: {found:?}");
+    }
+}

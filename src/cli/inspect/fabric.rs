@@ -40,6 +40,8 @@ fn json(fabric: &Fabric, figures: &Figures) -> Value {
     json!({
         "format": "fabric", "name": fabric.name, "areal_mass_g_m2": 1e3 * fabric.areal_mass,
         "thickness_mm": 1e3 * fabric.thickness, "friction": fabric.friction, "shear_N_m_rad": fabric.shear,
+        "shear_curve_rad_N_m": fabric.shear_curve,
+        "bending_curve_per_m_N": [&fabric.bend_curve_warp, &fabric.bend_curve_weft],
         "bending_uNm": [1e6 * fabric.bend_warp, 1e6 * fabric.bend_weft],
         "rest_curvature_warp_per_m": fabric.rest_curvature_warp,
         "rest_curvature_weft_per_m": fabric.rest_curvature_weft,
@@ -65,6 +67,9 @@ fn words(fabric: &Fabric, figures: &Figures) -> String {
         1e6 * fabric.bend_weft,
         fabric.shear
     );
+    if fabric.shear_curve.is_some() || fabric.bend_curve_warp.is_some() || fabric.bend_curve_weft.is_some() {
+        out += "where a curve was measured, these are its smallest slopes\n";
+    }
     let [low, high] = figures.drape.map(|d| 100.0 * d);
     out += &format!(
         "drape coefficient about {low:.0} to {high:.0} % (Cusick, 30 cm); `toile fabric test cusick` simulates it\n"

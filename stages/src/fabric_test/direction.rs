@@ -51,6 +51,17 @@ impl Direction {
         }
     }
 
+    /// Was the bending of this direction measured as a curve, of which that number is the smallest slope?
+    #[must_use]
+    pub fn is_curved(self, fabric: &Fabric) -> bool {
+        let [warp, weft] = [&fabric.bend_curve_warp, &fabric.bend_curve_weft].map(Option::is_some);
+        match self {
+            Self::Warp => warp,
+            Self::Weft => weft,
+            Self::Bias => warp || weft,
+        }
+    }
+
     /// Does the fabric file give that number, or is it estimated?
     #[must_use]
     pub fn is_given(self, fabric: &Fabric) -> bool {

@@ -91,7 +91,7 @@ pub fn frame(fabric: &Fabric, params: &FrameParams, cx: &mut StageContext<'_>) -
         readings.push(read(&cloth, angle, |v| rest.forces.get(&v).copied().unwrap_or_default(), &rim));
         at = rest.at;
     }
-    Ok(Frame { params: *params, readings, shear: fabric.shear })
+    Ok(Frame { params: *params, readings, shear: fabric.shear_secant(params.angle) })
 }
 
 /// Where the frame takes a place of the cloth.

@@ -133,7 +133,10 @@ fn vertex(v: u32) -> MeshVertex {
 
 /// Does the direction of the grain matter to this fabric?
 fn turns_with_grain(f: &Fabric) -> bool {
-    f.stretch_warp != f.stretch_weft || f.bend_warp != f.bend_weft || f.bend_bias.is_some_and(|b| b != f.bend_warp)
+    f.stretch_warp != f.stretch_weft
+        || f.bend_warp != f.bend_weft
+        || f.bend_curve_warp != f.bend_curve_weft
+        || f.bend_bias.is_some_and(|b| b != f.bend_warp)
 }
 
 /// Reads the input files; mistakes of all of them are collected.

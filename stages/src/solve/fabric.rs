@@ -13,10 +13,12 @@ pub fn material(fabric: &Fabric) -> Material {
         warp: curve(&fabric.stretch_warp),
         weft: curve(&fabric.stretch_weft),
         shear: fabric.shear,
+        shear_curve: samples(&fabric.shear_curve),
         poisson: fabric.poisson,
         bend_warp: fabric.bend_warp,
         bend_weft: fabric.bend_weft,
         bend_bias: fabric.bend_bias,
+        bend_curve: [samples(&fabric.bend_curve_warp), samples(&fabric.bend_curve_weft)],
         bend_friction: fabric.bend_friction(),
         rest_curvature: [fabric.rest_curvature_warp, fabric.rest_curvature_weft].map(|k| k.unwrap_or(0.0)),
         springs: fabric.springs.map(|s| [s.yarn, s.bias]),
@@ -26,6 +28,10 @@ pub fn material(fabric: &Fabric) -> Material {
             fabric.strain_limit_bias.unwrap_or(f64::INFINITY),
         ],
     }
+}
+
+fn samples(points: &Option<Vec<[f64; 2]>>) -> Option<Curve> {
+    points.clone().map(Curve::Samples)
 }
 
 fn curve(law: &StretchLaw) -> Curve {

@@ -22,6 +22,9 @@ pub fn cases() -> Vec<Case> {
     for (couple, gammas) in [(0.5, [5.0, 20.0]), (2.0, [20.0, 50.0])] {
         list.push(case(format!("cantilever-friction.{couple}"), move |lab: &mut Lab| friction(lab, couple, gammas)));
     }
+    for (couple, gammas) in [(0.5, [5.0, 20.0]), (2.0, [20.0, 50.0])] {
+        list.push(case(format!("cantilever-curve.{couple}"), move |lab: &mut Lab| knee(lab, couple, gammas)).quick());
+    }
     for curl in [-1.5, 1.5] {
         list.push(case(format!("cantilever-curl.{curl}"), move |lab: &mut Lab| curled(lab, curl)).quick());
     }
@@ -50,6 +53,21 @@ fn friction(lab: &mut Lab, couple: f64, gammas: [f64; 2]) -> Result<(), String> 
             fabric.hysteresis = 2.0 * couple * fabric.bending / LENGTH
         })?;
         lab.figure(format!("H/W at {gamma}"), drop / reach, expected, share(0.02, 0.1));
+    }
+    Ok(())
+}
+
+/// Curvature times length up to which the measured curve is steeper.
+const KNEE: f64 = 1.0;
+
+/// A measured curve: beside the elastic moment one that grows to HB and stays, for HB L/B.
+fn knee(lab: &mut Lab, couple: f64, gammas: [f64; 2]) -> Result<(), String> {
+    for gamma in gammas {
+        let expected = elastica::rubbing(gamma, couple, KNEE).ratio();
+        let (drop, reach) = bend_with(lab, Family::Regular, gamma, |fabric| {
+            fabric.bend_knee = Some([KNEE / LENGTH, couple * fabric.bending / LENGTH])
+        })?;
+        lab.figure(format!("H/W at {gamma}"), drop / reach, expected, share(0.01, 0.1));
     }
     Ok(())
 }

@@ -12,27 +12,42 @@ const SIDE: f64 = 0.1;
 const SHEAR: f64 = 50.0;
 
 pub fn cases() -> Vec<Case> {
-    FAMILIES
+    let mut list: Vec<Case> = FAMILIES
         .into_iter()
         .map(|f| {
             let c = case(format!("picture-frame-0.{}", f.name()), move |lab: &mut Lab| frame(lab, f));
             if f == Family::Irregular { c.quick() } else { c }
         })
-        .collect()
+        .collect();
+    list.push(case("picture-frame-curve", measured).quick());
+    list
+}
+
+/// A measured curve: as stiff again up to 10 degrees.
+fn measured(lab: &mut Lab) -> Result<(), String> {
+    let knee = [f64::to_radians(10.0), SHEAR * f64::to_radians(10.0)];
+    for degrees in [5.0, 15.0, 30.0] {
+        let gamma = f64::to_radians(degrees);
+        let tension = SHEAR * (gamma + gamma.min(knee[0]));
+        let expected = SIDE * tension / libm::sin(FRAC_PI_4 - 0.5 * gamma);
+        let force = pull(lab, Family::Irregular, gamma, Some(knee))?;
+        lab.figure(format!("F {degrees} deg N"), force, expected, share(0.01, 0.1));
+    }
+    Ok(())
 }
 
 fn frame(lab: &mut Lab, family: Family) -> Result<(), String> {
     for degrees in [5.0, 15.0, 30.0] {
         let gamma = f64::to_radians(degrees);
         let expected = SIDE * SHEAR * gamma / libm::sin(FRAC_PI_4 - 0.5 * gamma);
-        let force = pull(lab, family, gamma)?;
+        let force = pull(lab, family, gamma, None)?;
         lab.figure(format!("F {degrees} deg N"), force, expected, share(0.01, 0.1));
     }
     Ok(())
 }
 
 /// Force along the long diagonal, from the reactions by virtual work.
-fn pull(lab: &mut Lab, family: Family, gamma: f64) -> Result<f64, String> {
+fn pull(lab: &mut Lab, family: Family, gamma: f64, shear_knee: Option<[f64; 2]>) -> Result<f64, String> {
     let flat = sheet::sheet([SIDE, SIDE], 10, 10, family, |_| false);
     // The yarns keep their lengths and stand at 90° − γ to each other, symmetric about the diagonal.
     let corner = |[u, v]: [f64; 2], g: f64| {
@@ -50,7 +65,7 @@ fn pull(lab: &mut Lab, family: Family, gamma: f64) -> Result<f64, String> {
             *p += Vec3::new(jitter::noise(3 * i as u64), 0.0, jitter::noise(3 * i as u64 + 1)) * 5e-4;
         }
     }
-    let fabric = Cloth::linear(0.1, 100.0 * SHEAR, SHEAR, 0.0);
+    let fabric = Cloth { shear_knee, ..Cloth::linear(0.1, 100.0 * SHEAR, SHEAR, 0.0) };
     let d = lab.drape(&Trial::new(mesh, fabric).weightless().hold(rim.iter().copied()))?;
     // F dD = Σ R · dx for a change dγ of the frame, D = 2 a cos(π/4 − γ/2) its diagonal.
     let step = 1e-6;

@@ -17,6 +17,8 @@ pub struct Facts {
     pub bend_friction: f64,
     /// Strongest curvature of the fabrics without load, 1/m.
     pub rest_curvature: f64,
+    /// Number of measured curves of shear and bending that the fabrics have.
+    pub curves: usize,
     /// Pressure behind the cloth, Pa.
     pub pressure: f64,
 }
@@ -33,6 +35,7 @@ impl Facts {
             strain_limit: materials.iter().flat_map(|m| m.strain_limit).fold(f64::INFINITY, f64::min),
             bend_friction: most(Material::bend_friction_share),
             rest_curvature: most(|m| m.rest_curvature[0].abs().max(m.rest_curvature[1].abs())),
+            curves: materials.iter().map(Material::measured_curves).sum(),
             pressure: settings.pressure,
         }
     }

@@ -6,6 +6,7 @@ mod body_contact;
 mod effect;
 mod facts;
 mod friction;
+mod measured_curves;
 mod pressure;
 mod rest_curvature;
 mod self_contact;
@@ -27,6 +28,7 @@ pub const EFFECTS: &[&Effect] = &[
     &strain_limit::EFFECT,
     &bending_hysteresis::EFFECT,
     &rest_curvature::EFFECT,
+    &measured_curves::EFFECT,
     &pressure::EFFECT,
 ];
 

@@ -37,6 +37,15 @@ fn friction_in_bending_is_on_where_it_is_felt_or_asked_for() {
 }
 
 #[test]
+fn measured_curves_are_told_where_there_are_any() {
+    let curves = |curves: usize| Facts { curves, ..facts() };
+    let effect = measured_curves::EFFECT;
+    let s = Settings::default();
+    assert!(!effect.is_on(&curves(0), &s) && effect.is_on(&curves(3), &s) && !effect.is_told(false));
+    assert_eq!(effect.evidence(&curves(3), &s), "3 curves");
+}
+
+#[test]
 fn facts_are_the_extremes_of_the_fabrics() {
     let cloth = crate::energy::tests::fabric();
     let other = Material { friction: 0.7, strain_limit: [0.2, 0.05, f64::INFINITY], ..cloth.clone() };

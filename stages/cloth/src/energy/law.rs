@@ -35,6 +35,23 @@ pub(crate) struct Law {
     lock: Lock,
 }
 
+/// The cells of a table of tangents at equal steps.
+fn cells(tangent: &[f64], step: f64) -> Vec<Cell> {
+    let mut last = Cell { tangent: tangent[0], ..Cell::default() };
+    let mut all = vec![last];
+    for (i, k) in tangent.windows(2).enumerate() {
+        let bow = (k[1] - k[0]) * (1.0 / step);
+        all.push(Cell { bow, ..last });
+        let (tension, energy) = (
+            last.tension + step * 0.5 * (k[0] + k[1]),
+            last.energy + step * (last.tension + step * (k[0] / 2.0 + (k[1] - k[0]) / 6.0)),
+        );
+        last = Cell { from: step * (i + 1) as f64, tension, tangent: k[1], bow: 0.0, energy };
+    }
+    all.push(last);
+    all
+}
+
 impl Law {
     /// The law of a curve up to `reach` strain, a straight line beyond, with its tangent capped, N/m.
     ///
@@ -56,20 +73,31 @@ impl Law {
                 _ => curve.tangent(step * i as f64).min(cap),
             })
             .collect();
-        let mut last = Cell { tangent: tangent[0], ..Cell::default() };
-        let mut all = vec![last];
-        for (i, k) in tangent.windows(2).enumerate() {
-            let bow = (k[1] - k[0]) * (1.0 / step);
-            all.push(Cell { bow, ..last });
-            let (tension, energy) = (
-                last.tension + step * 0.5 * (k[0] + k[1]),
-                last.energy + step * (last.tension + step * (k[0] / 2.0 + (k[1] - k[0]) / 6.0)),
-            );
-            last = Cell { from: step * (i + 1) as f64, tension, tangent: k[1], bow: 0.0, energy };
-        }
-        all.push(last);
         let lock = Lock::at(limit, if limit.is_finite() { curve.tension(limit) } else { 0.0 });
-        Self { inverse_step: 1.0 / step, step, cells: all, lock }
+        Self { inverse_step: 1.0 / step, step, cells: self::cells(&tangent, step), lock }
+    }
+
+    /// What measured samples carry over a straight line of their smallest slope. `None` where there are no samples.
+    pub fn above_least_slope(curve: &Curve, cap: f64) -> Option<Self> {
+        let above = curve.above_least_slope()?;
+        let reach = above.last()?[0];
+        let curve = Curve::Samples(above);
+        let step = reach / LAW_CELLS_OF_SAMPLES.get() as f64;
+        // The slope over both cells around a place keeps the tension there exact, but for the cells beside a sample.
+        let odd = |e: f64| curve.tension(e.abs()).copysign(e);
+        let slope = |i: usize| {
+            let e = step * i as f64;
+            ((odd(e + step) - odd(e - step)) / (2.0 * step)).clamp(0.0, cap)
+        };
+        let tangent: Vec<f64> = (0..=LAW_CELLS_OF_SAMPLES.get()).map(slope).collect();
+        Some(Self { inverse_step: 1.0 / step, step, cells: cells(&tangent, step), lock: Lock::at(f64::INFINITY, 0.0) })
+    }
+
+    /// Tension and energy of a law that is the same in both senses.
+    #[inline]
+    pub fn odd(&self, strain: f64) -> (f64, f64) {
+        let (tension, energy) = self.tension_and_energy(strain.abs());
+        (tension.copysign(strain), energy)
     }
 
     /// Returns `true` if it carries more than its curve at this strain.

@@ -1,6 +1,7 @@
 //! Energies: one file each, each with a page in `docs/`. None knows of the others.
 
 pub(crate) mod bending;
+pub(crate) mod bending_curve;
 pub(crate) mod coupled;
 pub(crate) mod elastic_band;
 pub(crate) mod fold_line;
@@ -8,6 +9,7 @@ pub(crate) mod hysteresis;
 pub(crate) mod inertia;
 pub(crate) mod law;
 pub(crate) mod model;
+pub(crate) mod moments;
 pub(crate) mod patch;
 #[cfg(feature = "pressure")]
 pub(crate) mod pressure;
@@ -16,6 +18,7 @@ pub(crate) mod pressure;
 pub(crate) mod pressure;
 pub(crate) mod rest_curvature;
 pub(crate) mod shear;
+pub(crate) mod shear_curve;
 pub(crate) mod springs;
 pub(crate) mod stitch_penalty;
 pub(crate) mod strain_limit;

@@ -2,11 +2,13 @@
 
 use crate::energy::Energy;
 use crate::energy::bending::Flexion;
+use crate::energy::bending_curve::BendingCurve;
 use crate::energy::coupled::Coupled;
 use crate::energy::elastic_band::Bands;
 use crate::energy::fold_line::Creases;
 use crate::energy::rest_curvature::RestCurvature;
 use crate::energy::shear::Shear;
+use crate::energy::shear_curve::ShearCurve;
 use crate::energy::structural::Structural;
 use crate::energy::weight::Weight;
 use crate::scene::topology::Topology;
@@ -21,6 +23,12 @@ pub(crate) fn model(scene: &Scene, s: &Settings, topology: &Topology, mass: &[f6
         Model::Coupled => vec![Box::new(Coupled::new(scene, s))],
     };
     list.push(Box::new(Flexion::new(scene, topology)));
+    if let Some(curve) = ShearCurve::new(scene, s) {
+        list.push(Box::new(curve));
+    }
+    if let Some(curve) = BendingCurve::new(scene, topology, s) {
+        list.push(Box::new(curve));
+    }
     if let Some(curl) = RestCurvature::new(scene, topology) {
         list.push(Box::new(curl));
     }

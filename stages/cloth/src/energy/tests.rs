@@ -2,11 +2,13 @@
 
 use crate::energy::Energy;
 use crate::energy::bending::Flexion;
+use crate::energy::bending_curve::BendingCurve;
 use crate::energy::coupled::Coupled;
 use crate::energy::elastic_band::Bands;
 use crate::energy::fold_line::Creases;
 use crate::energy::rest_curvature::RestCurvature;
 use crate::energy::shear::Shear;
+use crate::energy::shear_curve::ShearCurve;
 use crate::energy::structural::Structural;
 use crate::energy::weight::Weight;
 use crate::linear::hessian::Hessian;
@@ -98,11 +100,95 @@ fn curled(scene: &Scene) -> Box<dyn Energy> {
     Box::new(RestCurvature::new(&curled, &t).expect("a fabric that curls"))
 }
 
+/// Curves that are steep first, as of yarns that rub.
+fn measured(curl: [f64; 2]) -> Material {
+    let curve = |slope: f64, reach: f64| {
+        Some(Curve::Samples(
+            [[0.0, 0.0], [0.2, 0.5], [0.5, 0.9], [1.0, 1.4]].map(|[x, y]| [x * reach, y * slope * reach]).into(),
+        ))
+    };
+    Material {
+        shear: 40.0,
+        shear_curve: curve(40.0, 0.3),
+        bend_warp: 2e-5,
+        bend_weft: 1e-5,
+        bend_curve: [curve(2e-5, 60.0), curve(1e-5, 90.0)],
+        rest_curvature: curl,
+        ..fabric()
+    }
+}
+
+fn measured_energies(scene: &Scene) -> Vec<Box<dyn Energy>> {
+    let (t, s) = (Topology::of_elements(scene.positions.len(), &scene.triangles), Settings::default());
+    vec![
+        Box::new(ShearCurve::new(scene, &s).expect("a curve of shear")),
+        Box::new(BendingCurve::new(scene, &t, &s).expect("curves of bending")),
+    ]
+}
+
+/// The Hessians hold the part that is never negative: all of the work of the slopes, at places without force.
+#[test]
+fn hessians_of_measured_curves_are_those_of_cloth_at_rest() {
+    let scene = scene(measured([0.0; 2]));
+    let n = scene.positions.len();
+    for e in measured_energies(&scene) {
+        let mut pairs = Vec::new();
+        e.add_pairs(&mut pairs);
+        let mut h = Hessian::new((0u32..).take(n).collect(), n, pairs, |add| e.springs(add));
+        h.reset();
+        e.add_hessian(&scene.positions, true, &mut h);
+        assert!(h.extra.is_empty());
+        let d: Vec<Vec3> = (0u32..).take(n).map(|i| Vec3::new(noise(7 * i), noise(5 * i + 1), noise(i + 9))).collect();
+        let pull = |s: f64| {
+            let mut f = vec![Vec3::zeros(); n];
+            e.add_forces(&scene.positions.iter().zip(&d).map(|(p, d)| p + d * s).collect::<Vec<_>>(), &mut f);
+            f
+        };
+        let (ahead, behind) = (pull(1e-8), pull(-1e-8));
+        let slope: Vec<Vec3> = ahead.iter().zip(behind).map(|(p, q)| (q - p) / 2e-8).collect();
+        let size = slope.iter().map(|f| f.norm()).fold(0.0, f64::max);
+        for (got, slope) in h.merged().times(&d).iter().zip(&slope) {
+            assert!((got - slope).norm() <= 1e-3 * size, "{got} and {slope}");
+        }
+        let mut rows = vec![0.0; n];
+        e.add_stiffness(&scene.positions, &mut rows);
+        let work: f64 = slope.iter().zip(&d).map(|(f, d)| f.dot(d)).sum();
+        assert!(work > 0.0 && work <= 1.0001 * rows.iter().zip(&d).map(|(k, d)| k * d.norm_squared()).sum::<f64>());
+    }
+}
+
+#[test]
+fn a_measured_curve_stores_what_was_measured() {
+    let cloth = measured([0.0; 2]);
+    let scene = scene(cloth.clone());
+    let [shear, bend] = &measured_energies(&scene)[..] else { panic!("two energies") };
+    let stored = |curve: &Option<Curve>, at: f64| curve.as_ref().map_or(0.0, |c| c.energy(at));
+    // Yarns that keep their lengths, and one lattice of them turns.
+    let angle = 0.1_f64;
+    let turned: Vec<Vec3> =
+        scene.positions.iter().map(|p| Vec3::new(p.x + p.y * libm::sin(angle), p.y * libm::cos(angle), 0.0)).collect();
+    let sheared = shear.energy(&turned) / (0.04 * 0.04) + 0.5 * cloth.shear * angle * angle;
+    assert!((sheared / stored(&cloth.shear_curve, angle) - 1.0).abs() < 1e-3, "{sheared} J/m2");
+    // A roll about the weft, against the straight line on the same mesh.
+    let k = 30.0_f64;
+    let rolled: Vec<Vec3> = scene
+        .positions
+        .iter()
+        .map(|p| Vec3::new(p.x, libm::sin(k * p.y) / k, (1.0 - libm::cos(k * p.y)) / k))
+        .collect();
+    let t = Topology::of_elements(scene.positions.len(), &scene.triangles);
+    let line = Flexion::new(&scene, &t).energy(&rolled);
+    let ratio = (bend.energy(&rolled) + line) / line;
+    let expected = stored(&cloth.bend_curve[0], k) / (0.5 * cloth.bend_warp * k * k);
+    assert!((ratio / expected - 1.0).abs() < 0.03, "{ratio} times the straight line, not {expected}");
+}
+
 #[test]
 fn forces_are_minus_the_gradient() {
     let scene = scene(fabric());
     let all = energies(&scene, &Settings::default());
-    for (k, e) in all.iter().chain([&curled(&scene)]).enumerate() {
+    let curves = [[0.0; 2], [20.0, -9.0]].map(|curl| measured_energies(&self::scene(measured(curl))));
+    for (k, e) in all.iter().chain([&curled(&scene)]).chain(curves.iter().flatten()).enumerate() {
         let mut x = scene.positions.clone();
         for (i, p) in (0u32..).zip(&mut x) {
             // Stretched, sheared and buckled.

@@ -35,5 +35,6 @@ fn scale(m: &mut Material, share: f64) {
         *curve = curve.times(share);
     }
     m.shear *= share;
+    m.shear_curve = m.shear_curve.as_ref().map(|curve| curve.times(share));
     m.springs = m.springs.map(|all| all.map(|k| k * share));
 }

@@ -55,6 +55,13 @@ impl Curve {
         }
     }
 
+    /// What measured samples carry over a straight line of their smallest slope; `None` where there are none.
+    pub(crate) fn above_least_slope(&self) -> Option<Vec<[f64; 2]>> {
+        let Self::Samples(points) = self else { return None };
+        let slope = points.windows(2).map(|w| (w[1][1] - w[0][1]) / (w[1][0] - w[0][0])).fold(f64::INFINITY, f64::min);
+        Some(points.iter().map(|p| [p[0], p[1] - slope * p[0]]).collect())
+    }
+
     /// Energy per rest area, J/m²: the integral of the tension from rest.
     #[must_use]
     pub fn energy(&self, strain: f64) -> f64 {

@@ -26,8 +26,10 @@ pub struct Material {
     pub warp: Curve,
     /// Tension along the weft.
     pub weft: Curve,
-    /// Shear stiffness G, N/m per radian.
+    /// Shear stiffness G, N/m per radian: the smallest slope of `shear_curve`, where there is one.
     pub shear: f64,
+    /// Measured shear force per width (N/m) over the shear angle (rad); `None`: the straight line of `shear`.
+    pub shear_curve: Option<Curve>,
     /// Coupling of warp and weft: tension in one direction per strain in the other, as a fraction of the softer
     /// stiffness at rest; 0 ≤ poisson < 1.
     pub poisson: f64,
@@ -37,6 +39,9 @@ pub struct Material {
     pub bend_weft: f64,
     /// Bending rigidity at 45°, N·m; `None`: the orthotropic estimate from warp and weft.
     pub bend_bias: Option<f64>,
+    /// Measured moment per width (N) over the curvature (1/m) along [warp, weft]; `None`: the straight line of `bend_warp` or
+    /// `bend_weft`. Where there is a curve, that rigidity is its smallest slope.
+    pub bend_curve: [Option<Curve>; 2],
     /// Friction HB against bending, as a moment per width, N: half of the hysteresis 2HB; 0 for none.
     pub bend_friction: f64,
     /// Curvature without load along [warp, weft], 1/m: above 0 where the cloth is hollow on the side from which the corners
@@ -76,10 +81,12 @@ impl Material {
             warp: Curve::Linear { stiffness: k },
             weft: Curve::Linear { stiffness: k },
             shear: young / (2.0 * (1.0 + poisson)),
+            shear_curve: None,
             poisson,
             bend_warp: bending,
             bend_weft: bending,
             bend_bias: None,
+            bend_curve: [None, None],
             bend_friction: 0.0,
             rest_curvature: [0.0; 2],
             springs: None,
@@ -131,10 +138,16 @@ impl Material {
         self.rest_curvature != [0.0; 2]
     }
 
+    /// Number of measured curves of shear and bending.
+    #[must_use]
+    pub fn measured_curves(&self) -> usize {
+        self.bend_curve.iter().chain([&self.shear_curve]).flatten().count()
+    }
+
     /// The same cloth without bending stiffness, for tests in which it stays flat.
     #[must_use]
     pub fn limp(self) -> Self {
-        Self { bend_warp: 0.0, bend_weft: 0.0, bend_bias: None, bend_friction: 0.0, ..self }
+        Self { bend_warp: 0.0, bend_weft: 0.0, bend_bias: None, bend_curve: [None, None], bend_friction: 0.0, ..self }
     }
 }
 

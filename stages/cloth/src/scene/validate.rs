@@ -150,8 +150,9 @@ fn materials(scene: &Scene) -> Result<(), ClothError> {
                 format!("material {i}: poisson is {}, it must be in 0 ≤ … < 1", m.poisson),
             );
         }
-        if !m.warp.is_sound() || !m.weft.is_sound() {
-            return bad(SceneFault::Material, format!("material {i}: a stretch curve does not rise from (0, 0)"));
+        let curves = [Some(&m.warp), Some(&m.weft), m.shear_curve.as_ref()];
+        if curves.into_iter().chain(m.bend_curve.iter().map(Option::as_ref)).flatten().any(|c| !c.is_sound()) {
+            return bad(SceneFault::Material, format!("material {i}: a measured curve does not rise from (0, 0)"));
         }
         if m.strain_limit.iter().any(|l| l.is_nan() || *l <= 0.0) {
             return bad(SceneFault::Material, format!("material {i}: strain limits are {:?}", m.strain_limit));
