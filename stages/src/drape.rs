@@ -8,6 +8,7 @@ mod lines;
 mod params;
 mod ranges;
 mod repeats;
+mod stiffer_first;
 mod tightness;
 mod undraped;
 mod unheld;
@@ -122,7 +123,8 @@ impl Stage for Drape {
         // Fitted to the samples and to garments of 800 to 12,000 triangles on bodies of 12,000 and 48,000 triangles.
         let seconds = forecast::growth(forecast) * (0.08 + 0.003 * forecast.body_thousands());
         let once = forecast.by_triangles(0.04, seconds, 4.3);
-        Ok(once.map(|c| Cost { seconds: c.seconds * f64::from(1 + params.repeats), ..c }))
+        let rests = f64::from(1 + params.repeats) + stiffer_first::more_rests(params);
+        Ok(once.map(|c| Cost { seconds: c.seconds * rests, ..c }))
     }
 
     fn run(
@@ -156,7 +158,8 @@ impl Stage for Drape {
         cx.report.findings.extend(wide.map(|(seam, gap)| undraped::finding(seam, gap)));
         let draped = match wide {
             Some((_, gap)) => Ok((undraped::outcome(&sewn_scene, gap), vec![false; sewn_scene.positions.len()])),
-            None => unheld::drape(&mut sewn_scene, &settings, &mut Follow::showing(cx, &shown)),
+            None => stiffer_first::lead(&mut sewn_scene, params, &settings, cx)
+                .and_then(|()| unheld::drape(&mut sewn_scene, &settings, &mut Follow::showing(cx, &shown))),
         };
         let (outcome, held) = draped.map_err(|e| failure_of_open_stitches(&e, open).unwrap_or_else(|| told(e)))?;
         let repeats = if wide.is_some() { 0 } else { params.repeats };
