@@ -4,7 +4,7 @@ use super::alternatives::{Known, count_told, drawn_over, is_under_layer};
 use toile_garment::piece::Quantity;
 use toile_garment::sewing::{CopySpec, SewingPlan};
 use toile_garment::{Garment, Piece, Vec2};
-use toile_stages::proposal::own_images;
+use toile_stages::proposal::{own_images, pleats};
 use toile_stages::roles::{Facing, Part, Role, roles_of_names};
 
 /// Areas of a piece and its counterpart differ by less, as a share.
@@ -74,7 +74,8 @@ pub fn plan(garment: &Garment, more: &[String]) -> Cut {
     let kept = known.iter().filter(|k| k.is_double && !others.contains(&k.piece.name));
     let copies = kept.map(|k| mirrored(k.piece)).collect();
     leave_out.extend(stood_for.iter().chain(&without_slit).cloned());
-    let plan = SewingPlan { copies, leave_out, ..SewingPlan::default() };
+    let darts = pleats(garment, &leave_out);
+    let plan = SewingPlan { copies, leave_out, darts, ..SewingPlan::default() };
     Cut { plan, inner, not_cut, stood_for, without_slit }
 }
 

@@ -3,6 +3,7 @@
 //! Nothing that lies in the folder already is changed.
 
 mod alternatives;
+mod buttons;
 pub(crate) mod codes;
 mod cut;
 mod document;

@@ -8,7 +8,8 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use toile_formats::dxf::{self, ReadOptions};
 use toile_formats::rul;
-use toile_garment::sewing::{CopySpec, SewingPlan};
+use toile_garment::dart::DartKind;
+use toile_garment::sewing::{CopySpec, DartSpec, SewingPlan};
 use toile_garment::{Diagnostic, Garment, Piece, Report, Vec2};
 use toile_stages::import_dxf::FileUnit;
 
@@ -57,6 +58,8 @@ pub struct Source {
     pub not_cut: Vec<String>,
     /// Those of them for which another piece stands.
     pub stood_for: Vec<String>,
+    /// Pleats that notches tell.
+    pub pleats: Vec<DartSpec>,
     /// The unit of the coordinates, where a person gave it.
     pub unit: Option<FileUnit>,
     /// Layers of the file that stand for others, as a person gave them.
@@ -135,6 +138,7 @@ pub fn read(path: &Path, plan: Option<SewingPlan>, wishes: &Wishes) -> Result<So
     findings.extend(more);
     let cut = if plan.is_none() { cut::plan(&garment, &wishes.leave_out) } else { cut::Cut::default() };
     let plan = plan.unwrap_or(cut.plan);
+    let pleats = plan.darts.iter().filter(|d| d.kind == Some(DartKind::Pleat)).cloned().collect();
     let (copies, left_out) = (plan.copies.clone(), plan.leave_out.clone());
     let mut report = Report::default();
     toile_stages::sewing::apply(&mut garment, plan, &mut report).map_err(|e| of_stage_error(e).0)?;
@@ -151,6 +155,7 @@ pub fn read(path: &Path, plan: Option<SewingPlan>, wishes: &Wishes) -> Result<So
         inner: cut.inner,
         not_cut: cut.not_cut,
         stood_for: cut.stood_for,
+        pleats,
         unit: wishes.unit,
         layers: wishes.layers.clone(),
         sizes: pattern.size_order(table.as_ref()),

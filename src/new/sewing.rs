@@ -1,9 +1,11 @@
 //! The sewing file with proposed seams.
 
+use super::buttons;
 use super::pattern::Source;
 use std::fmt::Write as _;
 use toile_formats::sewing::place_text;
 use toile_garment::Vec2;
+use toile_garment::sewing::DartSpec;
 use toile_garment::text::{quoted, shown};
 use toile_stages::proposal::{EdgePart, Proposal, ProposedSeam, Run};
 
@@ -45,6 +47,8 @@ pub fn text(source: &Source, proposal: &Proposal) -> String {
             copy.mirror
         );
     }
+    source.pleats.iter().for_each(|pleat| out.push_str(&pleat_table(pleat)));
+    out.push_str(&buttons::text(&source.garment));
     let (sure, open): (Vec<_>, Vec<_>) = proposal.seams.iter().partition(|s| s.confidence >= LEAST_SURE);
     for seam in sure {
         out.push_str(&table(source, seam));
@@ -98,6 +102,18 @@ fn reasons(source: &Source) -> String {
     .concat()
 }
 
+/// One pleat.
+fn pleat_table(pleat: &DartSpec) -> String {
+    let list = |points: &[Vec2]| points.iter().map(|p| point(*p)).collect::<Vec<_>>().join(", ");
+    let name = pleat.name.as_deref().map_or_else(String::new, |name| format!("name = {}\n", quoted(name)));
+    let piece = quoted(&pleat.piece);
+    let mut out = format!("\n[[dart]]\npiece = {piece}\n{name}kind = \"pleat\"\nmouth = [{}]\n", list(&pleat.mouth));
+    if pleat.press.is_some() {
+        let _ = writeln!(out, "apexes = [{}]\npress = \"knife\"\nsewn = \"0 mm\"", list(&pleat.apexes));
+    }
+    out
+}
+
 /// One seam.
 fn table(source: &Source, seam: &ProposedSeam) -> String {
     let mut out = format!(
@@ -126,11 +142,29 @@ fn edges_of(seam: &ProposedSeam) -> usize {
 
 /// One side: an edge, a run, or a list of those.
 fn side(source: &Source, runs: &[Run]) -> String {
-    let parts: Vec<String> = runs.iter().flat_map(|r| run(source, r)).collect();
+    let parts: Vec<String> = joined(runs).iter().flat_map(|r| run(source, r)).collect();
     match parts.as_slice() {
         [only] => only.clone(),
         many => format!("[{}]", many.join(", ")),
     }
+}
+
+/// Runs whose edges go on in the next one are one: those on both sides of a pleat.
+fn joined(runs: &[Run]) -> Vec<Run> {
+    let mut out: Vec<Run> = Vec::new();
+    for run in runs {
+        let last = out.last_mut().filter(|last| last.piece == run.piece);
+        let both = last.and_then(|last| Some((last.edges.last()?.with(run.edges.first()?)?, last)));
+        match both {
+            Some((edge, last)) => {
+                last.edges.pop();
+                last.edges.push(edge);
+                last.edges.extend(run.edges.iter().skip(1).cloned());
+            }
+            None => out.push(run.clone()),
+        }
+    }
+    out
 }
 
 fn run(source: &Source, run: &Run) -> Vec<String> {

@@ -21,6 +21,7 @@ mod faults;
 mod fit;
 mod line;
 mod measured_bodies;
+mod mistakes;
 mod motion;
 mod new;
 mod platform;

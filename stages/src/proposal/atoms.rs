@@ -4,13 +4,13 @@
 //! are neighbours, and the corner between them is measured with the dart closed.
 
 pub use super::cuts::Mark;
-use super::cuts::{Cut, Outline, without_unpaired};
+use super::cuts::{Cut, Outline};
 use super::profile::{Profile, bow, heading, profile, wrapped};
 use super::tuning;
 use crate::sewing::ring::Ring;
-use crate::sewing::shapes::Shapes;
 use std::ops::Range;
-use toile_garment::{Garment, Piece, Vec2};
+use toile_garment::Vec2;
+use toile_garment::dart::DartKind;
 
 impl Atom {
     /// Does it run along the warp?
@@ -21,6 +21,11 @@ impl Atom {
     /// Does it run across the warp?
     pub fn is_across(&self) -> bool {
         self.along[0].abs() < 0.5
+    }
+
+    /// Steps between its points, those over pleats left out.
+    pub fn steps(&self) -> impl Iterator<Item = Vec2> + '_ {
+        self.parts.iter().flat_map(|p| p.points.windows(2).map(|w| w[1] - w[0]))
     }
 
     /// Is it a lower edge? Such an edge runs from left to right with the cloth above it, across the warp.
@@ -49,8 +54,10 @@ pub struct Atom {
     pub from: f64,
     /// End on the ring, counter-clockwise from the start.
     pub to: f64,
-    /// Points from start to end.
+    /// Points from start to end, with those on both sides of every pleat.
     pub points: Vec<Vec2>,
+    /// The stretches between pleats that it is made of.
+    pub parts: Vec<Part>,
     /// Length, metres.
     pub length: f64,
     /// The joint at its start.
@@ -65,6 +72,17 @@ pub struct Atom {
     pub straight: bool,
     /// Cosine and sine of its chord against the warp: (1, 0) runs with it.
     pub along: [f64; 2],
+}
+
+/// A stretch of outline without a pleat.
+#[derive(Clone, Debug)]
+pub struct Part {
+    /// Start on the ring, metres of arc.
+    pub from: f64,
+    /// End on the ring, counter-clockwise from the start.
+    pub to: f64,
+    /// Points from start to end.
+    pub points: Vec<Vec2>,
 }
 
 /// A piece with its atoms.
@@ -92,29 +110,25 @@ pub struct Layout {
 }
 
 impl Layout {
-    /// Cuts the outlines of a garment. Pieces in `left_out` get no panel.
-    pub fn new(garment: &Garment, shapes: &Shapes, left_out: &[String]) -> Self {
-        let is_sewn = |piece: &Piece| !left_out.iter().any(|n| n.eq_ignore_ascii_case(&piece.name));
-        let all = garment.pieces.iter().zip(shapes).enumerate();
-        let sewn = all.filter(|(_, (piece, shape))| is_sewn(piece) && !shape.rings.is_empty());
-        let mut outlines: Vec<Outline<'_>> =
-            sewn.map(|(index, (piece, shape))| Outline::new(index, piece, shape)).collect();
-        without_unpaired(&mut outlines);
+    /// The stretches between the cuts of outlines.
+    pub fn of(outlines: &[Outline<'_>]) -> Self {
         let mut out = Self::default();
         outlines.iter().for_each(|o| out.add(o));
         out
     }
 
     fn add(&mut self, outline: &Outline<'_>) {
-        let Outline { index, piece, ring, cuts } = outline;
+        let Outline { index, piece, ring, warp, cuts } = outline;
         let (index, first, panel) = (*index, self.atoms.len(), self.panels.len());
         let n = cuts.len();
-        let warp = piece.warp();
+        let warp = *warp;
         for k in 0..n {
             let (here, after) = (&cuts[k], &cuts[(k + 1) % n]);
-            let points = walk(ring, here.start, after.end);
-            let length = points.windows(2).map(|w| (w[1] - w[0]).norm()).sum();
-            let course = profile(&points);
+            let parts = parts(ring, here.start, after.end);
+            let points: Vec<Vec2> = parts.iter().flat_map(|p| p.points.iter().copied()).collect();
+            let closed = closed(&parts);
+            let length = closed.windows(2).map(|w| (w[1] - w[0]).norm()).sum();
+            let course = profile(&closed);
             self.atoms.push(Atom {
                 panel,
                 from: here.start,
@@ -127,6 +141,7 @@ impl Layout {
                 along: along(&points, warp),
                 profile: course,
                 points,
+                parts,
             });
         }
         let area = piece.outline.signed_area().abs();
@@ -142,12 +157,37 @@ impl Layout {
     }
 }
 
-/// The points of a ring from one position to another; the whole ring where they are one.
-fn walk(ring: &Ring, from: f64, to: f64) -> Vec<Vec2> {
-    let length = match ring.ahead(from, to) {
+/// The stretches between pleats from one position to another; the whole ring where they are one.
+fn parts(ring: &Ring, from: f64, to: f64) -> Vec<Part> {
+    let length = way(ring, from, to);
+    let pleats = ring.gaps_between(from, length).into_iter().filter(|(.., gap)| gap.kind == DartKind::Pleat);
+    let mouths = pleats.flat_map(|(_, _, gap)| [ring.arc[gap.from], ring.arc[gap.to]]);
+    let ends: Vec<f64> = std::iter::once(from).chain(mouths).chain([to]).collect();
+    ends.chunks(2).map(|e| Part { from: e[0], to: e[1], points: walk(ring, e[0], e[1]) }).collect()
+}
+
+/// The points of a line whose pleats are closed: every part begins where the one before it ends.
+fn closed(parts: &[Part]) -> Vec<Vec2> {
+    let mut out: Vec<Vec2> = Vec::new();
+    for part in parts {
+        let shift = out.last().map_or(Vec2::zeros(), |end| end - part.points[0]);
+        let is_first = out.is_empty();
+        out.extend(part.points.iter().skip(usize::from(!is_first)).map(|p| p + shift));
+    }
+    out
+}
+
+/// Length from one position to another; that of the whole ring where they are one.
+fn way(ring: &Ring, from: f64, to: f64) -> f64 {
+    match ring.ahead(from, to) {
         d if d > 0.0 => d,
         _ => ring.total(),
-    };
+    }
+}
+
+/// The points of a ring from one position to another; the whole ring where they are one.
+fn walk(ring: &Ring, from: f64, to: f64) -> Vec<Vec2> {
+    let length = way(ring, from, to);
     let mut inner: Vec<(f64, Vec2)> = ring
         .points
         .iter()

@@ -50,6 +50,14 @@ pub fn whole_bands(layout: &Layout, names: &dyn Names) -> Vec<usize> {
     layout.panels.iter().filter(is_whole).map(|p| p.piece).collect()
 }
 
+/// Is a panel a band whose long sides are at least so long, metres?
+pub fn is_band(layout: &Layout, names: &dyn Names, panel: &Panel, least: f64) -> bool {
+    let of = Assignment::empty(layout.atoms.len());
+    let sewn = Sewn { layout, of: &of, closed: &[] };
+    let sides = Bands { sewn, names, weights: BandWeights::default() }.sides_of_band(panel);
+    sides.is_some_and(|[first, ..]| sewn.length(&first) > least)
+}
+
 /// The sides of a band.
 struct Band {
     /// The side that is sewn on where nothing speaks for the other, and its end.
@@ -165,7 +173,10 @@ impl Bands<'_> {
         let has_joint = |at: f64| joints.iter().any(|j| apart(*j, at) < self.weights.symmetric);
         let is_middle = |at: f64| joints.iter().all(|j| has_joint(2.0 * at - j));
         let is_front = |k: usize| self.names.faces_front(piece(k));
-        let ends = (0..n).filter(|k| is_front(*k) && is_front(k + n - 1)).map(|k| (k, 0.0));
+        let meet = |k: usize| piece(k) != piece(k + n - 1) && self.names.are_namesakes(piece(k), piece(k + n - 1));
+        let fronts = (0..n).filter(|k| is_front(*k) && is_front(k + n - 1)).map(|k| (k, 0.0));
+        // Where the front is whole, a skirt opens between the halves of its back.
+        let ends = fronts.chain((0..n).filter(|k| meet(*k)).map(|k| (k, 0.0)));
         let halves = (0..n).filter(|k| is_front(*k)).map(|k| (k, 0.5 * length(k)));
         ends.chain(halves).find(|(k, lead)| !joints.is_empty() && is_middle(starts[*k] + lead))
     }

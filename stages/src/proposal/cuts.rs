@@ -6,7 +6,8 @@ use crate::sewing::marks::on_rings;
 use crate::sewing::ring::{Gap, Ring};
 use crate::sewing::shapes::PieceShape;
 use std::f64::consts::PI;
-use toile_garment::Piece;
+use toile_garment::dart::DartKind;
+use toile_garment::{Piece, Vec2};
 
 /// The mark between two atoms.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -61,20 +62,30 @@ pub struct Outline<'a> {
     pub piece: &'a Piece,
     /// Its outline.
     pub ring: &'a Ring,
+    /// Unit warp direction, upwards where it is not level.
+    pub warp: Vec2,
     /// Its cuts in walking order.
     pub cuts: Vec<Cut>,
 }
 
 impl<'a> Outline<'a> {
     /// The outline of a piece, cut at its corners, notches and darts.
-    pub fn new(index: usize, piece: &'a Piece, shape: &'a PieceShape) -> Self {
-        Self { index, piece, ring: &shape.rings[0], cuts: cuts(piece, shape) }
+    pub fn new(index: usize, piece: &'a Piece, shape: &'a PieceShape, up: Vec2) -> Self {
+        let warp = piece.warp();
+        let warp = if warp.dot(&up) < -tuning::UPRIGHT { -warp } else { warp };
+        Self { index, piece, ring: &shape.rings[0], warp, cuts: cuts(piece, shape) }
+    }
+
+    /// Marks a place that another piece asks for.
+    pub fn mark(&mut self, at: f64) {
+        self.cuts.push(Cut { end: at, start: at, mark: Mark::Notch, gap: None, is_notched: false });
+        self.cuts.sort_by(|a, b| a.end.total_cmp(&b.end));
     }
 
     /// Lengths of the stretches that begin at the cuts, metres.
     fn lengths(&self) -> Vec<f64> {
         let n = self.cuts.len();
-        let ahead = |k: usize| self.ring.ahead(self.cuts[k].start, self.cuts[(k + 1) % n].end);
+        let ahead = |k: usize| self.ring.sewn_ahead(self.cuts[k].start, self.cuts[(k + 1) % n].end);
         (0..n).map(|k| if n == 1 { self.ring.total() } else { ahead(k) }).collect()
     }
 
@@ -140,12 +151,40 @@ pub fn without_unpaired(outlines: &mut [Outline<'_>]) {
     }
 }
 
+/// Takes away notches that the other side lacks: no stretch of another piece is as long as one of those that they part,
+/// but some other one has both together. An edge that fits as a whole needs no gather in its parts.
+pub fn without_alone(outlines: &mut [Outline<'_>]) {
+    let lengths: Vec<Vec<f64>> = outlines.iter().map(Outline::lengths).collect();
+    let totals: Vec<f64> = outlines.iter().map(|o| o.ring.total()).collect();
+    let is = |length: f64, other: f64, off: f64| libm::log(other / length).abs() < off;
+    let alone = |own: usize| -> Vec<usize> {
+        let is_other = |k: &usize| (totals[*k] / totals[own] - 1.0).abs() > tuning::SAME_PIECE;
+        let others: Vec<f64> = (0..totals.len()).filter(is_other).flat_map(|k| lengths[k].iter().copied()).collect();
+        let has = |length: f64, off: f64| others.iter().any(|l| is(length, *l, off));
+        let n = outlines[own].cuts.len();
+        let is_alone = |k: &usize| {
+            let cut = &outlines[own].cuts[*k];
+            let [before, after] = [lengths[own][(*k + n - 1) % n], lengths[own][*k]];
+            let is_mark = cut.mark == Mark::Notch && n > 1;
+            is_mark && ![before, after].iter().any(|l| has(*l, tuning::AS_LONG)) && has(before + after, tuning::EXACTLY)
+        };
+        (0..n).filter(is_alone).collect()
+    };
+    let alone: Vec<Vec<usize>> = (0..totals.len()).map(alone).collect();
+    for (outline, alone) in outlines.iter_mut().zip(alone) {
+        let mut number = 0..;
+        outline.cuts.retain(|_| number.next().is_none_or(|k| !alone.contains(&k)));
+    }
+}
+
 /// The cuts of an outline in walking order, each once.
 fn cuts(piece: &Piece, shape: &PieceShape) -> Vec<Cut> {
     let ring = &shape.rings[0];
+    // A pleat is no mark: the edge goes on over it.
     let mut cuts: Vec<Cut> = ring
         .gaps
         .iter()
+        .filter(|g| g.kind != DartKind::Pleat)
         .map(|g| Cut {
             end: ring.arc[g.from],
             start: ring.arc[g.to],

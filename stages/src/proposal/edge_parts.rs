@@ -20,6 +20,31 @@ pub struct EdgePart {
     pub places: Option<[EdgePlace; 2]>,
 }
 
+impl EdgePart {
+    /// Both parts as one, where one of them begins where the other one ends on the same edge, on either side of a pleat.
+    #[must_use]
+    pub fn with(&self, other: &Self) -> Option<Self> {
+        let ([from, to], [start, end]) = (self.places?, other.places?);
+        let is_number = self.number == other.number;
+        let places = match is_number {
+            true if is_at(to, start) => [from, end],
+            true if is_at(end, from) => [start, to],
+            _ => return None,
+        };
+        let is_end = |place: EdgePlace, from_end| place == EdgePlace { way: EdgeWay::Share(0.0), from_end };
+        let is_whole = is_end(places[0], false) && is_end(places[1], true);
+        Some(Self { number: self.number, places: Some(places).filter(|_| !is_whole) })
+    }
+}
+
+/// Are two places measured by their length the same?
+fn is_at(a: EdgePlace, b: EdgePlace) -> bool {
+    match (a.way, b.way) {
+        (EdgeWay::Length(x), EdgeWay::Length(y)) => a.from_end == b.from_end && (x - y).abs() < AT_NOTCH,
+        _ => false,
+    }
+}
+
 /// The edges and parts of edges between two positions on the outline, in sewing order; empty where an edge ends within a
 /// dart.
 pub fn edge_parts(piece: &Piece, shape: &PieceShape, ends: [f64; 2], forward: bool) -> Vec<EdgePart> {

@@ -1,6 +1,7 @@
 //! Scores of pairs that do not come from shapes: from names, from a person's decisions, and from the order of sewing.
 
 use super::atoms::Layout;
+use super::hems::Hems;
 use super::known::Decisions;
 use super::legs::Legs;
 use super::pairs::{Pair, Prior};
@@ -26,6 +27,8 @@ pub struct Knowledge<'a> {
     pub decisions: Decisions,
     /// Where legs may meet.
     pub legs: Legs,
+    /// Edges that bands go around later.
+    pub hems: Hems,
     /// How the sleeves are sewn.
     pub how: Sleeves,
     /// Pieces that are sewn later.
@@ -40,7 +43,8 @@ impl Knowledge<'_> {
         let [p, q] = [pair.a, pair.b].map(|a| layout.panels[layout.atoms[a].panel].piece);
         let is_set_in = |p: usize, q: usize| self.names.is_sleeve(p) && self.names.is_off_arm(q);
         let are_sleeves = self.names.is_sleeve(p) && self.names.is_sleeve(q);
-        if self.later.contains(&p) || self.later.contains(&q) {
+        let is_open = [pair.a, pair.b].iter().any(|a| self.hems.has(*a));
+        if is_open || self.later.contains(&p) || self.later.contains(&q) {
             return true;
         }
         match self.how {

@@ -7,18 +7,23 @@
 pub mod assignment;
 pub mod atoms;
 mod bands;
+mod buttons;
 pub(crate) mod confidence;
 mod cuts;
 mod edge_parts;
+mod hems;
 mod knowledge;
 mod known;
+mod layout;
 mod legs;
 mod likely;
 pub mod mirror;
+mod missing;
 mod names;
 mod onward;
 mod openings;
 pub mod pairs;
+mod pleats;
 mod profile;
 mod propose;
 mod random;
@@ -30,12 +35,16 @@ pub mod tuning;
 pub mod whole;
 mod written;
 
+pub use buttons::{ButtonFront, button_fronts};
 pub use edge_parts::EdgePart;
 pub use known::Known;
 pub use names::RoleNames;
+pub use pleats::pleats;
 pub use propose::{Bare, Nameless, Names, Proposal, own_images, propose};
 pub use seams::{ProposedSeam, Run};
 pub use written::written;
 
+#[cfg(test)]
+mod construction_tests;
 #[cfg(test)]
 mod tests;

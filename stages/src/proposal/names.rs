@@ -126,6 +126,19 @@ impl Names for RoleNames {
         self.roles[piece].part == Some(Part::Leg)
     }
 
+    fn falls_over(&self, piece: usize, other: usize) -> bool {
+        let part = |p: usize| self.roles[p].part;
+        (part(piece), part(other)) == (Some(Part::Collar), Some(Part::Stand))
+    }
+
+    fn is_told(&self, piece: usize) -> bool {
+        self.roles[piece].part.is_some()
+    }
+
+    fn is_at_neck(&self, piece: usize) -> bool {
+        self.roles[piece].part.and_then(height) == Some(Height::Neck)
+    }
+
     fn is_off_arm(&self, piece: usize) -> bool {
         self.roles[piece].part.and_then(height).is_some_and(|h| !matches!(h, Height::Arm | Height::Wrist))
     }

@@ -4,6 +4,9 @@ use super::assignment::Assignment;
 use super::atoms::Layout;
 use super::bands::{bands, whole_bands};
 use super::known::{Decisions, Known};
+use super::layout::marked;
+use super::likely::Likely;
+use super::mirror::is_own_image;
 use super::openings::{Closing, Sewn};
 use super::seams::{ProposedSeam, closing_seam};
 use super::task::{Made, Task};
@@ -53,6 +56,18 @@ pub trait Names {
     }
     /// Does a piece lie elsewhere than on an arm?
     fn is_off_arm(&self, piece: usize) -> bool;
+    /// Does a piece fall over another one, as a collar over its stand?
+    fn falls_over(&self, _piece: usize, _other: usize) -> bool {
+        false
+    }
+    /// Does the name of a piece tell what it is?
+    fn is_told(&self, _piece: usize) -> bool {
+        false
+    }
+    /// Is a piece a collar, a stand or a hood?
+    fn is_at_neck(&self, _piece: usize) -> bool {
+        false
+    }
     /// Are two pieces the left and the right one of a pair?
     fn are_namesakes(&self, a: usize, b: usize) -> bool;
 }
@@ -142,9 +157,10 @@ pub struct Proposal {
 /// Outlines that cannot be sewn.
 pub fn propose(garment: &Garment, names: &dyn Names, known: &Known) -> Result<Proposal, Vec<Diagnostic>> {
     let shapes = shapes(garment)?;
-    let layout = Layout::new(garment, &shapes, &garment.plan.leave_out);
+    let layout = marked(garment, &shapes, &garment.plan.leave_out);
     let decisions = Decisions::new(&layout, known);
-    let task = Task { garment, shapes: &shapes, layout: &layout, names, known, later: Vec::new() };
+    let likely = Likely::lower(garment, &layout, names);
+    let task = Task { garment, shapes: &shapes, layout: &layout, names: &likely, known, later: Vec::new() };
     let written = known.written.clone();
     let Some((made, closings, left)) = with_bands(&task, &decisions) else {
         let given = vec![true; written.len()];
@@ -162,6 +178,7 @@ pub fn propose(garment: &Garment, names: &dyn Names, known: &Known) -> Result<Pr
     // What the sewing file has stands as it was written; the search only went on from there.
     let is_open = |s: &ProposedSeam| !s.atoms.iter().flatten().any(|a| decisions.is_given(*a));
     seams.retain(|s| is_open(s) && !decisions.are_decided(s.atoms.iter().flatten()));
+    seams.iter_mut().filter(|s| is_fall(names, &layout, s)).for_each(ProposedSeam::turn_over);
     let given = [vec![true; written.len()], vec![false; seams.len()]].concat();
     let seams = [written, seams].concat();
     Ok(Proposal { seams, given, bare: free, openings, layout })
@@ -189,14 +206,21 @@ fn with_bands(task: &Task<'_>, decisions: &Decisions) -> Option<(Made, Vec<Closi
     if placed.len() == later.len() { Some(first) } else { sewn(placed) }
 }
 
+/// Is a seam that of a collar on its stand? Where both are their own mirror images, the collar is turned over as it is.
+fn is_fall(names: &dyn Names, layout: &Layout, seam: &ProposedSeam) -> bool {
+    let [a, b] = [&seam.a, &seam.b].map(|runs| runs[0].piece);
+    let is_own = |p: usize| layout.panels.iter().any(|panel| panel.piece == p && is_own_image(layout, panel));
+    !seam.fold_over && (names.falls_over(a, b) || names.falls_over(b, a)) && is_own(a) && is_own(b)
+}
+
 /// For every piece: is it its own mirror image? Pieces whose outlines cannot be sewn are not.
 #[must_use]
 pub fn own_images(garment: &Garment) -> Vec<bool> {
     let mut out = vec![false; garment.pieces.len()];
     let Ok(shapes) = shapes(garment) else { return out };
-    let layout = Layout::new(garment, &shapes, &[]);
+    let layout = marked(garment, &shapes, &[]);
     for panel in &layout.panels {
-        out[panel.piece] = super::mirror::is_own_image(&layout, panel);
+        out[panel.piece] = is_own_image(&layout, panel);
     }
     out
 }

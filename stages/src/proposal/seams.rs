@@ -51,6 +51,18 @@ impl ProposedSeam {
     pub fn ease(&self) -> f64 {
         self.length_a - self.length_b
     }
+
+    /// Lays one piece turned over on the other: the starts of both sides meet.
+    pub fn turn_over(&mut self) {
+        self.b.reverse();
+        for run in &mut self.b {
+            run.ends.reverse();
+            run.points.reverse();
+            run.forward = !run.forward;
+            run.edges.reverse();
+        }
+        self.fold_over = true;
+    }
 }
 
 /// One sewn pair, side a walked forward.
@@ -182,13 +194,14 @@ fn turned_by(mut runs: Vec<Run>, lead: f64) -> Vec<Run> {
 fn label(garment: &Garment, runs: &[Run]) -> String {
     let of_piece = |runs: &[Run]| {
         let name = &garment.pieces[runs[0].piece].name;
-        let edges: Vec<String> = runs.iter().flat_map(|r| &r.edges).map(|e| e.number.to_string()).collect();
+        let mut edges: Vec<String> = runs.iter().flat_map(|r| &r.edges).map(|e| e.number.to_string()).collect();
+        edges.dedup();
         if edges.is_empty() { name.clone() } else { format!("{name}.{}", edges.join("+")) }
     };
     runs.chunk_by(|r, s| r.piece == s.piece).map(of_piece).collect::<Vec<_>>().join("+")
 }
 
-/// Atoms that follow one another become runs; a dart between them begins a new one.
+/// Atoms that follow one another become runs; a dart between them begins a new one, and so does a pleat.
 fn runs(
     garment: &Garment,
     shapes: &Shapes,
@@ -199,19 +212,23 @@ fn runs(
     let mut parts: Vec<(usize, f64, f64, Vec<Vec2>)> = Vec::new();
     for a in atoms {
         let atom = &layout.atoms[a];
-        let mut points = atom.points.clone();
-        let (mut from, mut to) = (atom.from, atom.to);
-        if !forward {
-            points.reverse();
-            (from, to) = (to, from);
-        }
         let panel = atom.panel;
-        match parts.last_mut() {
-            Some((p, _, end, list)) if *p == panel && (*end - from).abs() < 1e-9 => {
-                *end = to;
-                list.extend(points.into_iter().skip(1));
+        let mut own: Vec<(f64, f64, Vec<Vec2>)> = atom.parts.iter().map(|p| (p.from, p.to, p.points.clone())).collect();
+        if !forward {
+            own.reverse();
+            own.iter_mut().for_each(|(from, to, points)| {
+                std::mem::swap(from, to);
+                points.reverse();
+            });
+        }
+        for (from, to, points) in own {
+            match parts.last_mut() {
+                Some((p, _, end, list)) if *p == panel && (*end - from).abs() < 1e-9 => {
+                    *end = to;
+                    list.extend(points.into_iter().skip(1));
+                }
+                _ => parts.push((panel, from, to, points)),
             }
-            _ => parts.push((panel, from, to, points)),
         }
     }
     parts

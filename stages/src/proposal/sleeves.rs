@@ -328,7 +328,7 @@ impl Opening {
             let atom = &sewn.layout.atoms[*a];
             let up = up(atom.panel, atoms);
             starts.push(at / length);
-            for step in atom.points.windows(2).map(|w| w[1] - w[0]) {
+            for step in atom.steps() {
                 at += step.norm();
                 height += step.dot(&up);
                 heights.push([at / length, height]);

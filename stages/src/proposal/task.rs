@@ -2,11 +2,13 @@
 
 use super::assignment::Assignment;
 use super::atoms::{Layout, Panel};
+use super::buttons::button_fronts;
 use super::confidence::margins;
+use super::hems::Hems;
 use super::knowledge::{Knowledge, Sleeves};
 use super::known::{Decisions, Known};
 use super::legs::Legs;
-use super::likely::{WithSleeves, likely_sleeves};
+use super::likely::{Likely, likely_sleeves};
 use super::mirror::{Mirror, maps};
 use super::onward::onward;
 use super::openings::{Closing, Sewn};
@@ -104,7 +106,7 @@ impl Task<'_> {
         let plain = self.with_trunk()?;
         let ease = SleeveWeights::default().whole_ease;
         for pair in likely_sleeves(self.layout) {
-            let names = WithSleeves { names: self.names, sleeves: pair };
+            let names = Likely::with_sleeves(self.names, pair);
             let task = Task { names: &names, ..self.clone() };
             if task.are_tubes(&plain.assignment) && are_whole(task.sewn(&plain.assignment, &[]), &names, ease) {
                 return Some(plain);
@@ -181,7 +183,10 @@ impl Task<'_> {
         let (layout, names) = (self.layout, self.names);
         let decisions = Decisions::new(layout, self.known);
         let legs = Legs::new(layout, names, &self.up());
-        let knowledge = Knowledge { names, decisions, legs, how, later: &self.later, sleeve: SleeveWeights::default() };
+        let hems = Hems::new(layout, names, &self.later, &self.up());
+        let hems = hems.with_buttons(layout, &button_fronts(self.garment));
+        let sleeve = SleeveWeights::default();
+        let knowledge = Knowledge { names, decisions, legs, hems, how, later: &self.later, sleeve };
         let mut scores = scores(layout, &knowledge);
         let wholes: Vec<Whole<'_>> = scores.iter().map(|scores| self.whole(scores, &weights, how)).collect();
         let (map, found) = search_all(layout, &wholes, effort)?;

@@ -1,6 +1,7 @@
 //! Proposals for garments drafted here.
 
-use super::atoms::{Layout, Mark};
+use super::atoms::Mark;
+use super::layout;
 use super::mirror::{ALONE, maps};
 use super::tuning::{CALIBRATION, confidence};
 use super::{Known, Nameless, Proposal, RoleNames, Run, propose};
@@ -90,7 +91,7 @@ fn a_place_of_grading_on_one_side_of_a_seam_does_not_part_it() {
     assert_eq!(sewn(&skirt, &proposal), ["back.2+back.1 = front.3", "back.5+back.4 = front.1"]);
     // Where both have one it is a mark that meets its like.
     let skirt = garment(vec![marked("front", 350.0), marked("back", 390.0)]);
-    let layout = Layout::new(&skirt, &shapes(&skirt).expect("shapes"), &[]);
+    let layout = layout::marked(&skirt, &shapes(&skirt).expect("shapes"), &[]);
     assert_eq!(layout.panels.iter().map(|p| p.atoms.len()).collect::<Vec<_>>(), [6, 6]);
 }
 
@@ -107,7 +108,7 @@ fn places_of_grading_elsewhere_on_both_sides_of_a_seam_do_not_part_it() {
     };
     // The place at 0.8 of both is a mark that meets its like.
     let skirt = garment(vec![graded("front", 350.0, 0.25), graded("back", 390.0, 0.37)]);
-    let layout = Layout::new(&skirt, &shapes(&skirt).expect("shapes"), &[]);
+    let layout = layout::marked(&skirt, &shapes(&skirt).expect("shapes"), &[]);
     assert_eq!(layout.panels.iter().map(|p| p.atoms.len()).collect::<Vec<_>>(), [6, 6]);
 }
 
@@ -197,7 +198,7 @@ fn a_closed_dart_is_one_joint_with_the_angle_of_the_closed_cloth() {
     front.darts.push(dart("waist", DartKind::Wedge, &[(150.0, 400.0)], [(170.0, 500.0), (130.0, 500.0)]));
     let garment = garment(vec![front]);
     let shapes = shapes(&garment).expect("shapes");
-    let layout = Layout::new(&garment, &shapes, &[]);
+    let layout = layout::marked(&garment, &shapes, &[]);
     // Hem, side, two parts of the waist, side: no leg.
     assert_eq!(layout.atoms.len(), 5);
     let joint = layout.atoms.iter().map(|a| a.joint).find(|j| j.mark == Mark::Dart).expect("dart");
@@ -214,7 +215,7 @@ fn mirror_images_are_found_between_pieces_and_within_one() {
     let right: Vec<(f64, f64, char)> = half.iter().rev().map(|(x, y)| (-x, *y, 't')).collect();
     let garment = garment(vec![piece(0, "a", &left), piece(0, "b", &right), panel("c", 300.0)]);
     let shapes = shapes(&garment).expect("shapes");
-    let layout = Layout::new(&garment, &shapes, &[]);
+    let layout = layout::marked(&garment, &shapes, &[]);
     let map = &maps(&layout, &|_, _| false)[0];
     assert_eq!(map.panel, [1, 0, 2]);
     // Every atom is the image of its image, as long, and on the panel that mirrors its own.

@@ -19,6 +19,17 @@ pub const FLAT_CORNER: f64 = 0.17;
 /// Stretches are as long as each other where their lengths differ by less: |ln(length / length)|. The
 /// proposals of 34 known garments are the same with and without the rule that uses it.
 pub const AS_LONG: f64 = 0.01;
+/// Stretches are exactly as long as each other where their lengths differ by less: |ln(length / length)|.
+pub const EXACTLY: f64 = 0.003;
+/// A part of an edge that lies opposite to two pieces, which are sewn to each other, is as long as both together within
+/// this (metres). The side of the front of jeans is so long as those of back and yoke.
+pub const SIDE_BY_SIDE: f64 = 2.5e-3;
+/// Length of the short side of a strip such as a yoke (metres).
+pub const STRIP: std::ops::Range<f64> = 15e-3..90e-3;
+/// The courses of the two edges of a flat seam complement each other within this (radians).
+pub const FLAT_SEAM: f64 = 0.09;
+/// A grain line is drawn upwards or downwards where the cosine of its angle to the upright is larger.
+pub const UPRIGHT: f64 = 0.5;
 /// Two runs with grade points of their own are the sides of a seam only where they are longer (metres). A raglan sleeve
 /// has 270 and 330 mm (GMH2446).
 pub const GRADED_RUN: f64 = 0.15;
@@ -37,6 +48,9 @@ pub const MOST_MAPS: usize = 6;
 
 /// Edges of one piece that are shorter, as a share of its outline, are not sewn to each other across it.
 pub const ACROSS_LEAST: f64 = 0.008;
+
+/// A piece of a leg has a larger share of the cloth.
+pub const LEG_LEAST: f64 = 0.08;
 
 /// Pairs that score less are not tried.
 pub const CANDIDATE_LEAST: f64 = -7.0;
@@ -475,6 +489,8 @@ pub struct BandWeights {
     pub band_least: f64,
     /// Two bands, or two openings, whose lengths differ by less are a left and a right one (metres).
     pub twin: f64,
+    /// A band of which no name tells that it is a waistband is at least so long (metres).
+    pub waist_least: f64,
     /// A band at the neck whose ends are longer, as a share of its long side, is a collar. A rib is narrower.
     pub collar_height: f64,
     /// The middle of an opening is found where the joints of both sides lie alike, within this (metres).
@@ -507,6 +523,7 @@ impl Default for BandWeights {
             band_ends: 0.1,
             band_least: 3.0,
             twin: 3e-3,
+            waist_least: 0.4,
             collar_height: 0.13,
             symmetric: 5e-3,
             corner_most: 2.3,
@@ -612,5 +629,65 @@ impl Default for SleeveWeights {
             doubt: [0.035, 0.08],
             doubtful: 0.45,
         }
+    }
+}
+
+/// Limits for pleats that notches tell. They were chosen; a shirt and a skirt that were drawn for the trial need them.
+#[derive(Clone, Debug)]
+pub struct PleatWeights {
+    /// Width between the notches of one pleat (metres). Double notches stand nearer, and tucks of cuffs take 15 mm.
+    pub width: std::ops::Range<f64>,
+    /// Pleats that are wider are none where another piece has a stretch of that length between marks (metres).
+    pub narrow: f64,
+    /// Lengths are exactly what is missing within this (metres).
+    pub exact: f64,
+    /// Pleats that no line tells take less of their edge, as a share.
+    pub most: f64,
+    /// Such an edge leaves the direction of its chord by less (radians).
+    pub straight: f64,
+    /// Cosine of its angle to the warp.
+    pub across: f64,
+    /// A line that starts at a notch lies so near to it (metres).
+    pub beside: f64,
+    /// Such a line is at least as long (metres).
+    pub line_least: f64,
+    /// The lines of a pleat are as far from each other at both ends, within this share.
+    pub parallel: f64,
+}
+
+impl Default for PleatWeights {
+    fn default() -> Self {
+        Self {
+            width: 8e-3..0.16,
+            narrow: 20e-3,
+            exact: 0.6e-3,
+            most: 0.35,
+            straight: 0.2,
+            across: 0.5,
+            beside: 3e-3,
+            line_least: 30e-3,
+            parallel: 0.3,
+        }
+    }
+}
+
+/// Limits for fronts that are closed by buttons. They were chosen; a shirt that was drawn for the trial needs them.
+#[derive(Clone, Debug)]
+pub struct ButtonWeights {
+    /// Buttons at least.
+    pub least: usize,
+    /// A hole lies on a line within this (metres).
+    pub on_line: f64,
+    /// The line is at least so long, as a share of the height of the front.
+    pub height: f64,
+    /// Cosine of its angle to the warp, at least.
+    pub upright: f64,
+    /// The front goes on beyond the line by so much (metres).
+    pub reach: std::ops::Range<f64>,
+}
+
+impl Default for ButtonWeights {
+    fn default() -> Self {
+        Self { least: 3, on_line: 3e-3, height: 0.5, upright: 0.98, reach: 8e-3..0.12 }
     }
 }

@@ -4,8 +4,10 @@
 //! file are turned alike. A piece that is mirrored, x to −x, is turned the other way.
 
 use super::Join;
+use super::leg_shape::is_leg;
 use super::outline::{Polygon, turned};
 use crate::body::section::hull;
+use std::cmp::Ordering;
 use std::f64::consts::FRAC_PI_2;
 use toile_garment::{Piece, Vec2};
 
@@ -53,6 +55,14 @@ fn turn(pieces: &[Piece], outlines: &[Polygon]) -> f64 {
     };
     if area(true) <= area(false) {
         return 0.0;
+    }
+    // A leg stands upright where its rise lies above its crotch.
+    let is_leg = |p: &Piece, outline: &Polygon, turn: f64| is_leg(&outline.map(|at| turned(at, turn * side(p))));
+    let legs = |turn: f64| pieces.iter().zip(outlines).filter(|(p, outline)| is_leg(p, outline, turn)).count();
+    match legs(FRAC_PI_2).cmp(&legs(-FRAC_PI_2)) {
+        Ordering::Greater => return FRAC_PI_2,
+        Ordering::Less => return -FRAC_PI_2,
+        Ordering::Equal => {}
     }
     let to_the_right: f64 = pieces.iter().zip(outlines).map(|(p, outline)| side(p) * hollows(outline).x).sum();
     if to_the_right < 0.0 { -FRAC_PI_2 } else { FRAC_PI_2 }

@@ -4,6 +4,7 @@
 
 mod drawn;
 mod joins;
+pub(crate) mod leg_shape;
 mod names;
 pub(crate) mod outline;
 mod seam_names;

@@ -190,6 +190,13 @@ fn hard_breaks(piece: &Piece, shape: &crate::sewing::shapes::PieceShape, curves:
     for i in edge_ends.chain(gaps) {
         curves[0].add_break(ring.arc[i]);
     }
+    // A pleat without lines is a loop: at least one vertex lies between its mouth points.
+    let loops = ring.gaps.iter().filter(|g| g.kind == DartKind::Pleat && piece.darts[g.dart].apexes.is_empty());
+    for g in loops {
+        let (from, to) = (ring.arc[g.from], ring.arc[g.to]);
+        let middle = curves[0].wrap(from + 0.5 * ring.ahead(from, to));
+        curves[0].add_break(middle);
+    }
 }
 
 fn link_seam(net: &mut Net, seam: &ResolvedSeam) {

@@ -101,7 +101,15 @@ fn off_cloth(piece: &Piece, spec: &DartSpec) -> Option<Diagnostic> {
     let apex = spec.kind.and_then(|_| spec.apexes.iter().find(off))?;
     let away = ring.project(*apex).1 * 1e3;
     let message = format!("piece `{}`: the apex {} lies {away:.1} mm outside the cloth", piece.name, mm(*apex));
-    let hint = "give it in the coordinates of the piece, which `toile inspect --svg` draws";
+    // A dart that is drawn the wrong way round points out of the cloth.
+    let along = (spec.mouth[1] - spec.mouth[0]).try_normalize(1e-9).unwrap_or_default();
+    let from = apex - spec.mouth[0];
+    let inside = spec.mouth[0] + along * (2.0 * from.dot(&along)) - from;
+    let hint = if outline.contains(inside) {
+        format!("the dart points out of the cloth; turned inwards, its apex is at {}", mm(inside))
+    } else {
+        "give it in the coordinates of the piece, which `toile inspect --svg` draws".to_owned()
+    };
     Some(Diagnostic::error(codes::DART_OFF_CLOTH, message).hint(hint))
 }
 

@@ -87,8 +87,45 @@ pub fn matched(
         pairs.len(),
         alone.join(", ")
     );
-    notes.push(Diagnostic::info(codes::SEAM_NOTCHES_DIFFER, message).at(spec.source.clone()));
+    let finding = match exchanged(garment, [a, b]) {
+        Some((piece, image)) if mirrored_meet(&x, &y, [a, b], near) > pairs.len() => {
+            let hint = format!(
+                "{} of them would meet with the mirror image: sew `{image}` here, and `{piece}` where `{image}` is sewn",
+                mirrored_meet(&x, &y, [a, b], near)
+            );
+            Diagnostic::warning(codes::SEAM_NOTCHES_DIFFER, message).hint(hint)
+        }
+        _ => Diagnostic::info(codes::SEAM_NOTCHES_DIFFER, message),
+    };
+    notes.push(finding.at(spec.source.clone()));
     pairs
+}
+
+/// The piece of which one of two sides is made, and its mirror image, where the other side has neither of them.
+fn exchanged<'a>(garment: &'a Garment, sides: [&Side; 2]) -> Option<(&'a str, &'a str)> {
+    let name = |id: PieceId| garment.pieces[id.index()].name.as_str();
+    let image = |piece: &str| {
+        let mut copies = garment.plan.copies.iter().filter(|c| c.mirror);
+        copies.find_map(|c| match piece {
+            p if p == c.piece => Some(c.name.as_str()),
+            p if p == c.name => Some(c.piece.as_str()),
+            _ => None,
+        })
+    };
+    let of = |own: &Side, other: &Side| {
+        let piece = own.spans.first().map(|s| name(s.piece))?;
+        let image = image(piece)?;
+        let is_alone = own.spans.iter().all(|s| name(s.piece) == piece);
+        let is_apart = other.spans.iter().all(|s| ![piece, image].contains(&name(s.piece)));
+        (is_alone && is_apart).then_some((piece, image))
+    };
+    of(sides[1], sides[0]).or_else(|| of(sides[0], sides[1]))
+}
+
+/// How many notches would meet if one side were that of a mirror image, which is walked the other way.
+fn mirrored_meet(x: &[f64], y: &[f64], [a, b]: [&Side; 2], near: impl Fn(f64, f64) -> bool) -> usize {
+    let turned: Vec<f64> = y.iter().rev().map(|t| b.length - t).collect();
+    nearest_pairs(x, &turned, a.length, b.length, near).len()
 }
 
 /// Pairs that are each other's nearest, in rising order on both sides.
