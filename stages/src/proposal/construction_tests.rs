@@ -8,7 +8,7 @@ use crate::testing::{notch, piece, rectangle, v};
 use toile_garment::outline::{LinePoint, PieceLine, PointKind};
 use toile_garment::piece::DrillHole;
 use toile_garment::sewing::{CopySpec, PleatPress, SewingPlan};
-use toile_garment::{Garment, Piece, PieceId, Report};
+use toile_garment::{Garment, Piece, PieceId, Report, Vec2};
 
 fn garment(pieces: Vec<Piece>) -> Garment {
     let pieces = pieces.into_iter().enumerate().map(|(i, p)| Piece { id: PieceId::from(i), ..p }).collect();
@@ -28,6 +28,11 @@ fn back_and_yoke(notches: [f64; 2]) -> Garment {
     garment(vec![back, rectangle(0, "yoke", 404.0, 120.0)])
 }
 
+/// Are two points those of a mouth, mm?
+fn is_mouth(mouth: [Vec2; 2], at: [(f64, f64); 2]) -> bool {
+    mouth.iter().zip(at).all(|(p, (x, y))| (p - v(x, y)).norm() < 1e-6)
+}
+
 /// Numbers of atoms of the panels.
 fn atoms(garment: &Garment) -> Vec<usize> {
     let layout = marked(garment, &shapes(garment).expect("shapes"), &[]);
@@ -38,8 +43,7 @@ fn atoms(garment: &Garment) -> Vec<usize> {
 fn a_back_has_a_pleat_where_its_notches_take_what_it_has_more_than_its_yoke() {
     let mut garment = back_and_yoke([202.0, 242.0]);
     let found = pleats(&garment, &[]);
-    let mouths: Vec<_> = found.iter().map(|p| (p.piece.as_str(), p.mouth)).collect();
-    assert_eq!(mouths, [("back", [v(242.0, 520.0), v(202.0, 520.0)])]);
+    assert!(found.len() == 1 && found[0].piece == "back" && is_mouth(found[0].mouth, [(242.0, 520.0), (202.0, 520.0)]));
     // The edge goes on over the pleat, and is sewn to the yoke as a whole.
     let plan = SewingPlan { darts: found, ..SewingPlan::default() };
     apply(&mut garment, plan, &mut Report::default()).expect("a pleat");
@@ -66,13 +70,13 @@ fn lines_from_notches_are_pressed_pleats() {
     for x in [60.0, 130.0, 290.0, 360.0] {
         panel.notches.push(notch(x, 500.0));
         // One line goes on to the cut line.
-        panel.internal_lines.push(line((x, 510.0), (x, if x > 300.0 { -20.0 } else { 100.0 })));
+        panel.internal_lines.push(line((x, 510.0), (x, if x > 200.0 { -20.0 } else { 100.0 })));
     }
     let found = pleats(&garment(vec![panel]), &[]);
     assert_eq!(found.len(), 2);
     assert!(found.iter().all(|p| p.press == Some(PleatPress::Knife) && p.sewn == Some(0.0)));
-    assert_eq!(found[1].mouth, [v(130.0, 500.0), v(60.0, 500.0)]);
-    assert_eq!(found[1].apexes, [v(130.0, 100.0), v(60.0, 100.0)]);
+    assert!(is_mouth(found[1].mouth, [(130.0, 500.0), (60.0, 500.0)]), "{:?}", found[1]);
+    assert!((found[1].apexes[0] - v(130.0, 100.0)).norm() < 1e-6, "{:?}", found[1].apexes);
     assert!(found[0].apexes[0].y >= 0.0 && found[0].apexes[0].y < 1e-3, "{:?}", found[0].apexes);
 }
 

@@ -13,7 +13,7 @@ use toile_garment::Garment;
 
 /// Pairs of pieces that may be the sleeves of a garment of few pairs and of other pieces. Of more pairs most are halves
 /// of the trunk, and the search sews those better.
-pub fn likely_sleeves(layout: &Layout) -> Vec<[usize; 2]> {
+pub fn likely_sleeves(layout: &Layout, names: &dyn Names) -> Vec<[usize; 2]> {
     let map = maps(layout, &|_, _| false).swap_remove(0);
     let image = |p: usize| Some(map.panel[p]).filter(|q| *q != ALONE);
     let pairs: Vec<[usize; 2]> =
@@ -21,7 +21,9 @@ pub fn likely_sleeves(layout: &Layout) -> Vec<[usize; 2]> {
     if 2 * pairs.len() >= layout.panels.len() || pairs.len() > tuning::FEW_PAIRS {
         return Vec::new();
     }
-    let may_be = |pair: &[usize; 2]| pair.iter().all(|p| has_shape(layout, &layout.panels[*p]));
+    let is_other = |piece: usize| names.is_leg(piece) || names.is_told(piece);
+    let is_sleeve = |p: &usize| !is_other(layout.panels[*p].piece) && has_shape(layout, &layout.panels[*p]);
+    let may_be = |pair: &[usize; 2]| pair.iter().all(is_sleeve);
     pairs.into_iter().filter(may_be).map(|pair| pair.map(|p| layout.panels[p].piece)).collect()
 }
 

@@ -105,7 +105,7 @@ impl Task<'_> {
     fn with_likely_sleeves(&self) -> Option<Made> {
         let plain = self.with_trunk()?;
         let ease = SleeveWeights::default().whole_ease;
-        for pair in likely_sleeves(self.layout) {
+        for pair in likely_sleeves(self.layout, self.names) {
             let names = Likely::with_sleeves(self.names, pair);
             let task = Task { names: &names, ..self.clone() };
             if task.are_tubes(&plain.assignment) && are_whole(task.sewn(&plain.assignment, &[]), &names, ease) {

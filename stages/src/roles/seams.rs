@@ -323,13 +323,17 @@ impl Sewn<'_> {
         b.iter().for_each(|i| self.tell_facing(*i, Facing::Back, "of two like pieces it is drawn as a back is"));
     }
 
-    /// Waistbands and skirts face the way of what they are sewn to above one another.
+    /// Waistbands, skirts and yokes face the way of what they are sewn to above one another.
     fn follow_facings(&mut self) {
         for _ in 0..3 {
             for i in 0..self.pieces.len() {
                 let alike = (0..self.pieces.len()).filter(|k| self.part(*k) == self.part(i)).count();
-                let hangs = self.is_part(i, &[Part::Waistband, Part::Skirt, Part::Leg, Part::Bodice, Part::Tier]);
-                if self.roles[i].facing.is_some() || !hangs || alike > PANELS {
+                let parts = [Part::Waistband, Part::Skirt, Part::Leg, Part::Bodice, Part::Tier, Part::Yoke];
+                let hangs = self.is_part(i, &parts);
+                // A band that is sewn to itself goes all around.
+                let is_ring =
+                    self.is_part(i, &[Part::Waistband, Part::Tier]) && self.runs[i].iter().any(|r| r.other == i);
+                if self.roles[i].facing.is_some() || !hangs || is_ring || alike > PANELS {
                     continue;
                 }
                 let level = |r: &&Run| r.other != i && r.outwards[0].y * r.outwards[1].y < -0.25;
