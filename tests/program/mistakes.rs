@@ -31,6 +31,9 @@ with.body = \"size-38.obj\"
 with.fabric = \"cotton-jersey.toml\"
 ";
 
+/// Makes a mistake, and gives the answer to it.
+type Answer = fn() -> String;
+
 /// A folder with all that a garment needs.
 struct Folder(tempfile::TempDir);
 
@@ -153,7 +156,7 @@ fn unknown_fabric() -> String {
 
 #[test]
 fn the_usual_mistakes_are_answered_in_words_of_a_pattern_maker() {
-    let mistakes: [(&str, fn() -> String); 10] = [
+    let mistakes: [(&str, Answer); 10] = [
         ("misspelt edges", misspelt_edges),
         ("a seam turned round", seam_turned_round),
         ("a size that the file does not hold", wrong_size),
