@@ -92,13 +92,15 @@ impl Follow<'_> {
         names.iter().flat_map(each).collect()
     }
 
-    /// The pieces that were cut apart. The parts of a part are parts of the same whole.
+    /// The pieces that were cut apart. The parts of a part are parts of the same whole, and those of a piece that a person
+    /// places are placed themselves.
     fn wholes(&self) -> Vec<WholeSpec> {
         let old = self.garment.plan.wholes.iter();
         let mut wholes: Vec<WholeSpec> =
             old.map(|w| WholeSpec { pieces: self.pieces(&w.pieces), ..w.clone() }).collect();
         let is_part = self.garment.plan.wholes.iter().any(|w| w.pieces.iter().any(|p| self.is_it(p)));
-        if self.altered.parts.len() > 1 && !is_part {
+        let is_placed = self.garment.plan.places.iter().any(|p| self.is_it(&p.piece));
+        if self.altered.parts.len() > 1 && !is_part && !is_placed {
             let pieces = self.altered.parts.iter().map(|p| p.name.clone()).collect();
             wholes.push(WholeSpec { name: self.name.to_owned(), pieces, source: None });
         }

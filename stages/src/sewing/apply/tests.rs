@@ -359,9 +359,9 @@ fn the_neck_of_two_pieces_needs_its_direction() {
         let plan = SewingPlan { seams: vec![shoulder.clone(), neck], ..SewingPlan::default() };
         garment.plan = SewingPlan::default();
         apply(&mut garment, plan, &mut Report::default()).expect("settled by the shoulder");
-        let shapes = crate::sewing::shapes::shapes(&garment).expect("shapes");
-        let found = crate::sewing::resolve::find(&garment, &shapes);
-        let found = crate::sewing::resolve::placed(found).expect("found");
+        let shapes = shapes(&garment).expect("shapes");
+        let found = find(&garment, &shapes);
+        let found = placed(found).expect("found");
         found[1].a.spans.iter().map(|s| (s.piece.index(), s.forward)).collect::<Vec<_>>()
     };
     assert_eq!(starts(both.clone(), None), [(0, true), (1, true)]);
