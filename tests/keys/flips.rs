@@ -287,7 +287,7 @@ const SEWING: &[Flip] = &[
     given("pattern", &[INTERLINING], "interlining[0].areal_mass", "\"90 g/m2\""),
     given("pattern", &[INTERLINING], "interlining[0].bending", "\"300 uN.m\""),
     given("pattern", &[WHOLE], "whole[0].name", "\"BACK\""),
-    given("pattern", &[WHOLE], "whole[0].pieces", "[\"FRONT\"]"),
+    given("pattern", &[WHOLE], "whole[0].pieces", "[\"FRONT\", \"SIDE\"]"),
     given("pattern", &[PLEAT], "dart[0].press", "\"box\""),
     given("pattern", &[PLEAT], "dart[0].sewn", "\"60 mm\""),
     given("pattern", COPIES, "copy[0].mirror", "true"),
