@@ -1,6 +1,8 @@
 //! Text of old files: which code page it is in, and the escapes inside it.
 
+use crate::codes::CODE_PAGE_UNKNOWN;
 use encoding_rs::{Encoding, GB18030, GBK, SHIFT_JIS, UTF_8, WINDOWS_1252};
+use toile_garment::Diagnostic;
 
 /// The upper half of the DOS code page 850 (Western Europe), from 0x80 on.
 const DOS_850: &str = "ÇüéâäàåçêëèïîìÄÅÉæÆôöòûùÿÖÜø£Ø×ƒáíóúñÑªº¿®¬½¼¡«»░▒▓│┤ÁÂÀ©╣║╗╝¢¥┐└┴┬├─┼ãÃ╚╔╩╦╠═╬¤ðÐÊËÈıÍÎÏ┘┌█▄¦Ì▀ÓßÔÒõÕµþÞÚÛÙýÝ¯´\u{AD}±‗¾¶§÷¸°¨·¹³²■\u{A0}";
@@ -131,6 +133,18 @@ pub fn is_unicode(release: Option<&str>) -> bool {
 #[must_use]
 pub fn named(name: &str) -> Option<TextEncoding> {
     by_code_page(name).map(|page| TextEncoding { page, guessed: false })
+}
+
+/// The code page that a user asks for.
+///
+/// # Errors
+/// It is not known.
+pub fn asked(name: &str) -> Result<TextEncoding, Box<Diagnostic>> {
+    named(name).ok_or_else(|| {
+        let text = format!("`{name}` is no code page this program knows");
+        let hint = "e.g. \"utf-8\", \"gbk\", \"shift_jis\", \"windows-1252\", \"ANSI_936\"";
+        Box::new(Diagnostic::error(CODE_PAGE_UNKNOWN, text).hint(hint))
+    })
 }
 
 fn release_number(release: &str) -> Option<u32> {

@@ -76,6 +76,12 @@ pub fn of_stage_error(error: StageError) -> (Vec<Diagnostic>, Exit) {
         StageError::Limit(text) => one(codes::LIMIT, text, Exit::Input),
         StageError::Unstable(text) => one(codes::UNSTABLE, text, Exit::Unstable),
         StageError::File(error) => of_file_error(&error),
+        StageError::Several(errors) => {
+            let mut all = errors.into_iter().map(of_stage_error);
+            let (mut findings, exit) = all.next().unwrap_or((Vec::new(), Exit::System));
+            findings.extend(all.flat_map(|(more, _)| more));
+            (findings, exit)
+        }
         StageError::Cancelled => (Vec::new(), Exit::Stopped),
         other => one(codes::INTERNAL_ERROR, other.to_string(), Exit::System),
     }

@@ -67,10 +67,16 @@ pub fn add(
     Ok(())
 }
 
+/// What is wrong with the parameters, before a cut line is made. Names are looked for as soon as there are pieces.
+pub fn faults(params: Option<&AllowanceParams>, pieces: &[Piece]) -> Vec<Diagnostic> {
+    let Some(params) = params else { return Vec::new() };
+    let names = if pieces.is_empty() { Vec::new() } else { unknown(params, pieces) };
+    names.into_iter().chain(too_wide(params)).collect()
+}
+
 /// Makes the cut lines. Notches of lines that are replaced go out to the new one.
 fn apply(params: &AllowanceParams, pieces: &mut [Piece], which: Which) -> Result<Vec<Diagnostic>, Vec<Diagnostic>> {
-    let mut errors = unknown(params, pieces);
-    errors.extend(too_wide(params));
+    let mut errors = faults(Some(params), pieces);
     if !errors.is_empty() {
         return Err(errors);
     }

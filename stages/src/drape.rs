@@ -28,7 +28,7 @@ use crate::solve::{Follow, Layout, MESH_ANEW, effects, failure, failure_in, scen
 use toile_cloth::{ClothError, Outcome, Scene, Settings, StopReason, Welded};
 use toile_garment::garment::{Certificate, Shape};
 use toile_garment::{Aspect, Code, Diagnostic, Garment, Vec3};
-use toile_stage_api::{Cost, Forecast, Knob, Meaning, Stage, StageContext, StageError, StageInfo};
+use toile_stage_api::{Cost, Errors, Forecast, Knob, Meaning, Stage, StageContext, StageError, StageInfo};
 
 codes! {
     pub(crate) list CODES;
@@ -115,8 +115,10 @@ impl Stage for Drape {
         forecast: &mut Forecast,
         cx: &mut StageContext<'_>,
     ) -> Result<Option<Cost>, StageError> {
-        toile_cloth::check_settings(&params.settings(cx.threads)).map_err(failure)?;
-        ranges::check(params)?;
+        let mut errors = Errors::default();
+        errors.extend(toile_cloth::setting_faults(&params.settings(cx.threads)).into_iter().map(failure));
+        errors.keep(ranges::check(params));
+        errors.finish()?;
         cx.report.findings.extend(unused::settings(params));
         forecast.advice.extend(repeats::advice(params, &forecast.garment));
         forecast.effects = forecast::effects(params, forecast);

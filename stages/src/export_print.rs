@@ -8,7 +8,7 @@ use toile_formats::codes::OUT_OF_RANGE;
 use toile_formats::plot::{self, Font, Paper, Sheet};
 use toile_garment::units::Length;
 use toile_garment::{Aspect, Code, Diagnostic, Garment};
-use toile_stage_api::{Cost, Forecast, Stage, StageContext, StageError, StageInfo};
+use toile_stage_api::{Cost, Errors, Forecast, Stage, StageContext, StageError, StageInfo};
 
 codes! {
     pub(crate) list CODES;
@@ -77,16 +77,19 @@ impl Stage for ExportPrint {
     fn forecast(
         &self,
         params: &Self::Params,
-        _: &mut Forecast,
+        forecast: &mut Forecast,
         cx: &mut StageContext<'_>,
     ) -> Result<Option<Cost>, StageError> {
         // An empty sheet: every parameter is looked at, and the font is read.
         let mut sheet = plot::lay(&[], GAP * 1e3, None);
-        params.range()?;
+        let mut errors = Errors::default();
+        errors.keep(params.range());
+        errors.keep(params.form());
         if let Some(font) = &params.font {
-            spell(&mut sheet, font, cx)?;
+            errors.keep(spell(&mut sheet, font, cx));
         }
-        params.form()?;
+        errors.parameters(allowance::faults(params.allowance.as_ref(), &forecast.garment.pieces));
+        errors.finish()?;
         Ok(Some(Cost::seconds(0.01)))
     }
 

@@ -1,6 +1,7 @@
 //! The stage `export-report`: JSON, CSV, SVG and HTML of what was made.
 
 use crate::fit;
+use crate::text::utf8;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::path::PathBuf;
@@ -8,7 +9,7 @@ use toile_formats::measures::{self, PointOfMeasure};
 use toile_formats::report::accuracy::Accuracy;
 use toile_formats::report::{self, Language, Point};
 use toile_garment::{Aspect, Code, Diagnostic, Garment};
-use toile_stage_api::{Cost, Forecast, Knob, Meaning, Stage, StageContext, StageError, StageInfo};
+use toile_stage_api::{Cost, Errors, Forecast, Knob, Meaning, Stage, StageContext, StageError, StageInfo};
 
 codes! {
     pub(crate) list CODES;
@@ -102,8 +103,10 @@ impl Stage for ExportReport {
         forecast: &mut Forecast,
         cx: &mut StageContext<'_>,
     ) -> Result<Option<Cost>, StageError> {
-        asked(params, cx)?;
-        params.study.iter().try_for_each(|file| cx.files.read(file).map(drop))?;
+        let mut errors = Errors::default();
+        errors.keep(asked(params, cx));
+        errors.keep(params.study.iter().try_for_each(|file| cx.files.read(file).map(drop)));
+        errors.finish()?;
         let body = forecast.body_thousands();
         let cost = forecast.by_triangles(0.6 + 0.024 * body, 0.03, 4.0);
         // The page holds the body a few times on its way: as surface, as bytes and as text.
@@ -140,7 +143,7 @@ impl Stage for ExportReport {
 fn asked(params: &ExportReportParams, cx: &mut StageContext<'_>) -> Result<Vec<PointOfMeasure>, StageError> {
     let Some(file) = &params.measures else { return Ok(Vec::new()) };
     let bytes = cx.files.read(file)?;
-    measures::read(&String::from_utf8_lossy(&bytes), &file.to_string_lossy()).map_err(StageError::Input)
+    measures::read(&utf8(file, &bytes)?, &file.to_string_lossy()).map_err(StageError::Input)
 }
 
 /// The study that is to be shown, where it is of this garment.

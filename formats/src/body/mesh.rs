@@ -10,7 +10,7 @@ use toile_garment::{Code, Diagnostic, Severity, Tally, Vec3};
 /// Height of a body that needs no question, metres: a doll to a giant.
 const HEIGHT: std::ops::RangeInclusive<f64> = 0.2..=3.0;
 
-type Mesh = (Vec<Vec3>, Vec<[u32; 3]>);
+pub type Mesh = (Vec<Vec3>, Vec<[u32; 3]>);
 
 /// Cleans the mesh; what was done stands in the findings.
 pub fn clean(raw: &ObjMesh, file: &str, findings: &mut Vec<Diagnostic>) -> Result<Mesh, Box<Diagnostic>> {

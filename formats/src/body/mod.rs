@@ -26,7 +26,7 @@ mod sidecar;
 mod tests;
 
 use crate::obj;
-pub use sidecar::schema;
+pub use sidecar::{Unread, schema};
 use toile_garment::body::Body;
 use toile_garment::garment::UpAxis;
 use toile_garment::{Diagnostic, SourceRef};
@@ -57,41 +57,43 @@ pub fn read(obj_bytes: &[u8], obj_name: &str, sidecar_toml: Option<&str>) -> Res
     if let Some(read) = handover::take(&files) {
         return Ok(read);
     }
-    let read = read_anew(obj_bytes, obj_name, sidecar_toml, &files.digest)?;
-    handover::keep(files, &read);
-    Ok(read)
+    let sound = read_anew(obj_bytes, obj_name, sidecar_toml, &files.digest);
+    if !sound.errors.is_empty() {
+        return Err(sound.errors);
+    }
+    handover::keep(files, &sound.read);
+    Ok(sound.read)
 }
 
-fn read_anew(
-    obj_bytes: &[u8],
-    obj_name: &str,
-    sidecar_toml: Option<&str>,
-    digest: &str,
-) -> Result<ReadBody, Vec<Diagnostic>> {
-    let mut errors = Vec::new();
-    let toml_name = sidecar_name(obj_name);
-    let said = sidecar_toml.map(|text| sidecar::read(text, &toml_name)).transpose().unwrap_or_else(|e| {
-        errors.extend(e);
-        None
-    });
-    let raw = match obj::read_geometry(obj_bytes, obj_name) {
-        Ok(raw) => raw,
-        Err(e) => {
-            errors.extend(e);
-            return Err(errors);
-        }
-    };
-    let mut findings = raw.findings.clone();
-    let cleaned = mesh::clean(&raw, obj_name, &mut findings);
-    if let Err(e) = &cleaned {
-        errors.push((**e).clone());
+/// As much of a body as can be read, and what is wrong with the rest.
+#[derive(Clone, Debug)]
+pub struct SoundParts {
+    /// The body; it has no triangle where its mesh cannot be used.
+    pub read: ReadBody,
+    /// What is wrong.
+    pub errors: Vec<Diagnostic>,
+    /// The names of the side file whose values cannot be read.
+    pub unread: Unread,
+}
+
+/// Reads a body as [`read`] does, as far as it is sound. `None` stands for a mesh that is not there.
+#[must_use]
+pub fn read_sound_parts(obj_bytes: Option<&[u8]>, obj_name: &str, sidecar_toml: Option<&str>) -> SoundParts {
+    let read = |bytes| read(bytes, obj_name, sidecar_toml).ok();
+    if let Some(read) = obj_bytes.and_then(read) {
+        return SoundParts { read, errors: Vec::new(), unread: Unread::default() };
     }
-    if let Some(finding) = mesh::size(&raw, obj_name, said.is_some()) {
-        let list = if finding.severity == toile_garment::Severity::Error { &mut errors } else { &mut findings };
-        list.push(finding);
-    }
-    let (Ok((positions, triangles)), true) = (cleaned, errors.is_empty()) else { return Err(errors) };
-    let said = said.unwrap_or_default();
+    read_anew(obj_bytes.unwrap_or_default(), obj_name, sidecar_toml, "")
+}
+
+fn read_anew(obj_bytes: &[u8], obj_name: &str, sidecar_toml: Option<&str>, digest: &str) -> SoundParts {
+    let (said, unread, mut errors) =
+        sidecar_toml.map(|text| sidecar::read(text, &sidecar_name(obj_name))).unwrap_or_default();
+    let is_person = sidecar_toml.is_some();
+    let mut findings = Vec::new();
+    let before = errors.len();
+    let mesh = sound_mesh(obj_bytes, obj_name, is_person, &mut findings, &mut errors);
+    let (positions, triangles) = if errors.len() == before { mesh.unwrap_or_default() } else { Default::default() };
     let body = Body {
         name: if said.name.is_empty() { stem(obj_name) } else { said.name },
         positions,
@@ -101,7 +103,25 @@ fn read_anew(
         segments: said.segments,
         digest: digest.to_owned(),
     };
-    Ok(ReadBody { body, findings })
+    SoundParts { read: ReadBody { body, findings }, errors, unread }
+}
+
+/// The mesh of a body, made sound; `is_person` where its measures are told.
+fn sound_mesh(
+    obj_bytes: &[u8],
+    obj_name: &str,
+    is_person: bool,
+    findings: &mut Vec<Diagnostic>,
+    errors: &mut Vec<Diagnostic>,
+) -> Option<mesh::Mesh> {
+    let raw = obj::read_geometry(obj_bytes, obj_name).map_err(|wrong| errors.extend(wrong)).ok()?;
+    findings.extend(raw.findings.iter().cloned());
+    let cleaned = mesh::clean(&raw, obj_name, findings).map_err(|wrong| errors.push(*wrong)).ok();
+    if let Some(finding) = mesh::size(&raw, obj_name, is_person) {
+        let list = if finding.severity == toile_garment::Severity::Error { errors } else { findings };
+        list.push(finding);
+    }
+    cleaned
 }
 
 /// Turns a body that was read from a file with another vertical axis.

@@ -7,7 +7,7 @@ use crate::toml_text::{TomlText, describe, did_you_mean};
 use serde_json::{Map, Value, json};
 use serde_spanned::Spanned;
 use std::borrow::Cow;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
 use std::ops::RangeInclusive;
 use toile_garment::body::{Body, BodySegment};
@@ -25,6 +25,23 @@ const MAX: f64 = 10.0;
 /// Largest measure of a body, metres: higher than a giant, and wider than the widest.
 const MEASURE: f64 = 3.0;
 
+/// The names in a side file whose values cannot be read: nothing is known of them, not even that they are missing.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Unread {
+    /// Nothing can be read.
+    pub all: bool,
+    /// Measures, landmarks and segments.
+    pub names: BTreeSet<String>,
+}
+
+impl Unread {
+    /// Can the value of one of these names not be read?
+    #[must_use]
+    pub fn has(&self, names: &[&str]) -> bool {
+        self.all || names.iter().any(|name| self.names.contains(*name))
+    }
+}
+
 /// The contents of the file.
 #[derive(Default)]
 pub struct Sidecar {
@@ -37,35 +54,36 @@ pub struct Sidecar {
 struct Reader<'a> {
     toml: TomlText<'a>,
     findings: Vec<Diagnostic>,
+    unread: Unread,
 }
 
-/// Reads the file.
-pub fn read(text: &str, file: &str) -> Result<Sidecar, Vec<Diagnostic>> {
-    let mut r = Reader { toml: TomlText::new(text, file), findings: Vec::new() };
-    let root = r.toml.parse(codes::BODY_SYNTAX)?;
+/// Reads what can be read of the file; the mistakes of the rest come with it.
+pub fn read(text: &str, file: &str) -> (Sidecar, Unread, Vec<Diagnostic>) {
+    let mut r = Reader { toml: TomlText::new(text, file), findings: Vec::new(), unread: Unread::default() };
     let mut out = Sidecar::default();
+    let root = match r.toml.parse(codes::BODY_SYNTAX) {
+        Ok(root) => root,
+        Err(findings) => return (out, Unread { all: true, ..Unread::default() }, findings),
+    };
     for (key, value) in root.get_ref() {
         match key.get_ref().as_ref() {
             "name" => out.name = r.text(key, value),
             "measures" => {
                 for (name, value) in r.entries(key, value) {
-                    if let Some(x) = r.length(name.get_ref(), value, 0.0..=MEASURE) {
-                        out.measures.insert(name.get_ref().to_string(), x);
-                    }
+                    let read = r.length(name.get_ref(), value, 0.0..=MEASURE);
+                    r.give(name.get_ref(), read, &mut out.measures);
                 }
             }
             "landmarks" => {
                 for (name, value) in r.entries(key, value) {
-                    if let Some(p) = r.point(name.get_ref(), value) {
-                        out.landmarks.insert(name.get_ref().to_string(), p);
-                    }
+                    let read = r.point(name.get_ref(), value);
+                    r.give(name.get_ref(), read, &mut out.landmarks);
                 }
             }
             "segments" => {
                 for (name, value) in r.entries(key, value) {
-                    if let Some(s) = r.segment(name, value) {
-                        out.segments.insert(name.get_ref().to_string(), s);
-                    }
+                    let read = r.segment(name, value);
+                    r.give(name.get_ref(), read, &mut out.segments);
                 }
             }
             "note" | "source" => {
@@ -74,10 +92,22 @@ pub fn read(text: &str, file: &str) -> Result<Sidecar, Vec<Diagnostic>> {
             _ => r.unknown(key, &TOP),
         }
     }
-    if r.findings.is_empty() { Ok(out) } else { Err(r.findings) }
+    (out, r.unread, r.findings)
 }
 
 impl<'a> Reader<'a> {
+    /// Puts a value under its name, or remembers that it could not be read.
+    fn give<T>(&mut self, name: &str, value: Option<T>, to: &mut BTreeMap<String, T>) {
+        match value {
+            Some(value) => {
+                to.insert(name.to_owned(), value);
+            }
+            None => {
+                self.unread.names.insert(name.to_owned());
+            }
+        }
+    }
+
     fn wrong<T>(&mut self, at: &Spanned<T>, message: String) {
         self.findings.push(Diagnostic::error(codes::BODY_VALUE, message).at(self.toml.place(at)));
     }
@@ -107,6 +137,7 @@ impl<'a> Reader<'a> {
             Some(table) => table.iter().collect(),
             None => {
                 self.wrong(value, format!("`{}` must be a table, not {}", key.get_ref(), describe(value.get_ref())));
+                self.unread.all = true;
                 Vec::new()
             }
         }

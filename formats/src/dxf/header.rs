@@ -3,7 +3,6 @@
 use super::codes;
 use super::findings::Findings;
 use super::groups::Groups;
-use crate::codes::CODE_PAGE_UNKNOWN;
 use crate::encoding::{self, TextEncoding};
 use toile_garment::{Diagnostic, Severity};
 
@@ -54,11 +53,7 @@ pub(crate) fn text_encoding(
     let Some(asked) = asked else {
         return Ok(encoding::choose(bytes, header.release.as_deref(), header.code_page.as_deref()));
     };
-    encoding::named(asked).ok_or_else(|| {
-        Diagnostic::error(CODE_PAGE_UNKNOWN, format!("`{asked}` is no code page this program knows"))
-            .at(findings.place(1))
-            .hint("e.g. \"utf-8\", \"gbk\", \"shift_jis\", \"windows-1252\", \"ANSI_936\"")
-    })
+    encoding::asked(asked).map_err(|unknown| unknown.at(findings.place(1)))
 }
 
 /// Says where the code page that was chosen is doubtful.

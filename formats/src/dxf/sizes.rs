@@ -84,7 +84,7 @@ impl Pattern {
     }
 
     /// Keeps only the pieces of these names, and what was found of them and of the file. A piece is called by its name
-    /// or its block, upper and lower case alike.
+    /// or its block, upper and lower case alike. Where a name is wrong, all sound pieces stay to be looked at.
     ///
     /// # Errors
     /// One finding per name that no piece has.
@@ -94,6 +94,7 @@ impl Pattern {
         let all: Vec<(&str, &str)> = sound.chain(self.refused.iter().map(|p| (p.label(), p.block.as_str()))).collect();
         let missing: Vec<&String> =
             names.iter().filter(|n| !all.iter().any(|(label, block)| called(label, block, n))).collect();
+        let wanted = |label: &str, block: &str| names.iter().any(|n| called(label, block, n));
         if !missing.is_empty() {
             let labels: BTreeSet<&str> = all.iter().map(|p| p.0).collect();
             let known = labels.into_iter().collect::<Vec<_>>().join(", ");
@@ -101,9 +102,10 @@ impl Pattern {
                 let text = format!("piece `{name}` is not in this pattern; there are: {known}");
                 Diagnostic::error(codes::PIECE_NOT_FOUND, text).at(self.place())
             };
-            return Err(missing.iter().map(say).collect());
+            let told = missing.iter().map(say).collect();
+            self.refused.retain(|p| wanted(p.label(), &p.block));
+            return Err(told);
         }
-        let wanted = |label: &str, block: &str| names.iter().any(|n| called(label, block, n));
         let sound = self.pieces.iter().filter(|p| !wanted(p.label(), &p.block)).map(|p| p.block.clone());
         let others = self.refused.iter().filter(|p| !wanted(p.label(), &p.block)).map(|p| p.block.clone());
         let dropped: BTreeSet<String> = sound.chain(others).collect();

@@ -8,10 +8,10 @@ use toile_garment::Diagnostic;
 #[non_exhaustive]
 pub enum StageError {
     /// An input file is wrong: exit code 3. One or more errors with place and remedy.
-    #[error("{}", join(.0))]
+    #[error("{}", lines(.0))]
     Input(Vec<Diagnostic>),
     /// A parameter or the sewing file is wrong: exit code 2.
-    #[error("{}", join(.0))]
+    #[error("{}", lines(.0))]
     Parameter(Vec<Diagnostic>),
     /// The program cannot do this yet: exit code 3.
     #[error("not supported: {0}")]
@@ -25,6 +25,9 @@ pub enum StageError {
     /// Disk, memory, rights: exit code 5.
     #[error(transparent)]
     File(#[from] FileError),
+    /// Several at once; the first decides the exit code.
+    #[error("{}", lines(.0))]
+    Several(Vec<StageError>),
     /// The user stopped it: exit code 130.
     #[error("stopped")]
     Cancelled,
@@ -47,6 +50,65 @@ impl StageError {
     }
 }
 
-fn join(findings: &[Diagnostic]) -> String {
-    findings.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n")
+/// The errors of steps of which none keeps the others from being taken: all mistakes are told at once.
+#[derive(Debug, Default)]
+pub struct Errors(Vec<StageError>);
+
+impl Errors {
+    /// Keeps an error, or gives the result.
+    pub fn keep<T>(&mut self, result: Result<T, impl Into<StageError>>) -> Option<T> {
+        result.map_err(|error| self.0.push(error.into())).ok()
+    }
+
+    /// Keeps errors.
+    pub fn extend(&mut self, errors: impl IntoIterator<Item = StageError>) {
+        self.0.extend(errors);
+    }
+
+    /// Keeps wrong parameters, if there are any.
+    pub fn parameters(&mut self, findings: Vec<Diagnostic>) {
+        self.extend((!findings.is_empty()).then_some(StageError::Parameter(findings)));
+    }
+
+    /// Keeps wrong inputs, if there are any.
+    pub fn inputs(&mut self, findings: Vec<Diagnostic>) {
+        self.extend((!findings.is_empty()).then_some(StageError::Input(findings)));
+    }
+
+    /// Is nothing wrong so far?
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+
+    /// The result of the last step, if nothing was wrong before.
+    ///
+    /// # Errors
+    /// All that were kept, and that of the last step.
+    pub fn finish_with<T>(mut self, last: Result<T, StageError>) -> Result<T, StageError> {
+        match last {
+            Ok(result) => self.finish().map(|()| result),
+            Err(error) if self.0.is_empty() => Err(error),
+            Err(error) => {
+                self.0.push(error);
+                Err(StageError::Several(self.0))
+            }
+        }
+    }
+
+    /// The result of all steps.
+    ///
+    /// # Errors
+    /// All that were kept, in their order.
+    pub fn finish(mut self) -> Result<(), StageError> {
+        match self.0.len() {
+            0 => Ok(()),
+            1 => Err(self.0.remove(0)),
+            _ => Err(StageError::Several(self.0)),
+        }
+    }
+}
+
+fn lines(list: &[impl ToString]) -> String {
+    list.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n")
 }

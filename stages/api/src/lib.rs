@@ -13,7 +13,7 @@ mod stage;
 
 pub use any::{AnyStage, ReadyStage};
 pub use context::{FileError, Files, Progress, StageContext};
-pub use error::StageError;
+pub use error::{Errors, StageError};
 pub use forecast::{Cost, Forecast, MeshSize};
 pub use knob::{Knob, Meaning};
 pub use registry::{Registry, RegistryError};

@@ -55,7 +55,7 @@ pub use scene::shared_body::{BodyMesh, SharedBody};
 pub use scene::weld::{Welded, weld};
 pub use scene::{Load, Material, Pin, Scene};
 pub use sewing::joining::joinable_stitches;
-pub use solve::{animate, check_settings, drape, sew, sew_in_order};
+pub use solve::{animate, drape, setting_faults, sew, sew_in_order};
 
 /// A point or vector in the world, metres.
 pub type Vec3 = nalgebra::Vector3<f64>;

@@ -139,10 +139,8 @@ fn drape_canonical(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) ->
     }
 }
 
-/// Checks settings alone, before there is a scene.
-///
-/// # Errors
-/// [`ClothError::BadSetting`] for a value out of range.
-pub fn check_settings(settings: &Settings) -> Result<(), ClothError> {
-    validate::settings(settings)
+/// All that is wrong with settings alone, before there is a scene.
+#[must_use]
+pub fn setting_faults(settings: &Settings) -> Vec<ClothError> {
+    validate::setting_faults(settings)
 }

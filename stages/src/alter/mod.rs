@@ -21,10 +21,10 @@ use crate::sewing::resolve::{find, placed};
 use crate::sewing::shapes::{Shapes, shapes};
 use build::Altered;
 use params::Change;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use toile_garment::sewing::DartSpec;
 use toile_garment::{Aspect, Code, Diagnostic, Garment, PieceId, Report};
-use toile_stage_api::{Cost, Forecast, Stage, StageContext, StageError, StageInfo};
+use toile_stage_api::{Cost, Errors, Forecast, Stage, StageContext, StageError, StageInfo};
 
 codes! {
     pub(crate) list CODES;
@@ -82,26 +82,43 @@ impl Stage for Alter {
         cx: &mut StageContext<'_>,
     ) -> Result<Option<Cost>, StageError> {
         if !forecast.garment.pieces.is_empty() {
-            forecast.garment = self.run(params, std::mem::take(&mut forecast.garment), cx)?;
+            let altered = self.run(params, forecast.garment.clone(), cx);
+            // Later stages look at the pieces as they were.
+            forecast.in_doubt |= altered.is_err();
+            forecast.garment = altered?;
         }
         Ok(Some(Cost::seconds(0.01)))
     }
 
     fn run(&self, params: &AlterParams, garment: Garment, cx: &mut StageContext<'_>) -> Result<Garment, StageError> {
         // Places in space are looked up before the shapes are gone.
-        let changes = params.change.iter().map(|c| spot::flattened(&garment, c)).collect::<Result<Vec<Change>, _>>();
-        let changes = changes.map_err(StageError::parameter)?;
+        let mut errors = Errors::default();
+        let mut flattened = |c| errors.keep(spot::flattened(&garment, c).map_err(StageError::parameter));
+        let changes: Vec<Change> = params.change.iter().filter_map(&mut flattened).collect();
         unchanged_copies(&garment, &changes, cx.report);
-        let mut told: Vec<String> = Vec::new();
+        let drawn: Vec<String> = garment.pieces.iter().map(|p| p.name.to_lowercase()).collect();
         let before = seam_lengths(&garment);
-        let altered = (1..).zip(&changes).try_fold(garment, |garment, (number, change)| {
-            alter(garment, change, &mut told, cx.report).map_err(|error| of_change(number, error))
-        })?;
+        let (mut garment, mut failed, mut told) = (garment, BTreeSet::new(), Vec::new());
+        for (number, change) in (1..).zip(&changes) {
+            let piece = change.piece().to_lowercase();
+            // Nothing is known of a piece that an earlier change would have made or altered.
+            if !failed.is_empty() && (failed.contains(&piece) || !drawn.contains(&piece)) {
+                continue;
+            }
+            let altered = alter(garment.clone(), change, &mut told, cx.report);
+            match errors.keep(altered.map_err(|error| of_change(number, error))) {
+                Some(altered) => garment = altered,
+                None => {
+                    failed.insert(piece);
+                }
+            }
+        }
         if !told.is_empty() {
             cx.report.push(Diagnostic::info(ALTERED, told.join("; ")));
         }
-        cx.report.findings.extend(differing_seams(&before, &seam_lengths(&altered)));
-        Ok(altered)
+        errors.finish()?;
+        cx.report.findings.extend(differing_seams(&before, &seam_lengths(&garment)));
+        Ok(garment)
     }
 }
 

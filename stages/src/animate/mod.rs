@@ -17,7 +17,7 @@ use toile_cloth::{Motion, Scene, Trip};
 use toile_garment::animation::MotionCertificate;
 use toile_garment::garment::EffectRecord;
 use toile_garment::{Aspect, Code, Diagnostic, Garment, Vec3};
-use toile_stage_api::{Cost, Forecast, Stage, StageContext, StageError, StageInfo};
+use toile_stage_api::{Cost, Errors, Forecast, Stage, StageContext, StageError, StageInfo};
 
 /// Distance between the drape's body and the first frame from which a person should look, metres.
 const FAR: f64 = 0.2;
@@ -28,10 +28,9 @@ fn check(params: &AnimateParams) -> Result<(), StageError> {
         let hint = "write how many frames the result has, or leave it out";
         Diagnostic::error(SETTING_OUT_OF_RANGE, "`frames` is 0; a motion has one frame or more").hint(hint)
     });
-    match solve::ranges::gravity(params.gravity).or(no_frame) {
-        Some(fault) => Err(StageError::parameter(fault)),
-        None => Ok(()),
-    }
+    let mut errors = Errors::default();
+    errors.parameters(solve::ranges::gravity(params.gravity).into_iter().chain(no_frame).collect());
+    errors.finish()
 }
 
 /// Moves the garment.
@@ -54,11 +53,13 @@ impl Stage for Animate {
         forecast: &mut Forecast,
         cx: &mut StageContext<'_>,
     ) -> Result<Option<Cost>, StageError> {
-        check(params)?;
+        let mut errors = Errors::default();
+        errors.keep(check(params));
+        let settings = toile_cloth::setting_faults(&params.settings(cx.threads));
+        let of_motion = params.dynamics().faults().into_iter().chain(params.motion(Vec::new(), true).faults());
+        errors.extend(settings.into_iter().chain(of_motion).map(failure));
+        errors.finish()?;
         cx.report.findings.extend(unused::settings(params));
-        toile_cloth::check_settings(&params.settings(cx.threads)).map_err(failure)?;
-        params.dynamics().check().map_err(failure)?;
-        params.motion(Vec::new(), true).check(None, 0).map_err(failure)?;
         forecast.effects.extend(forecast::effects(params));
         // Without a number of frames the film is taken to last a second.
         let film = params.frames.map_or(1.0, |n| f64::from(n) / params.fps);

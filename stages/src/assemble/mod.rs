@@ -18,7 +18,7 @@ use toile_garment::piece::PressedFold;
 use toile_garment::seam::{Seam, SeamKind, SeamRun, SeamSide};
 use toile_garment::units::Share;
 use toile_garment::{Aspect, DartId, Diagnostic, Garment, Piece, SeamId};
-use toile_stage_api::{Cost, Forecast, Stage, StageContext, StageError, StageInfo};
+use toile_stage_api::{Cost, Errors, Forecast, Stage, StageContext, StageError, StageInfo};
 
 /// Parameters of `assemble`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -53,11 +53,13 @@ impl Stage for Assemble {
         forecast: &mut Forecast,
         cx: &mut StageContext<'_>,
     ) -> Result<Option<Cost>, StageError> {
-        let limits = limits(params)?;
+        let mut errors = Errors::default();
+        let limits = errors.keep(limits(params)).unwrap_or(Limits { max_ease: Params::default().max_ease.0 });
         // Outlines that are no outlines are told by the stage that meshes them.
         if let Ok(shapes) = shapes(&forecast.garment) {
-            judged(&forecast.garment, &shapes, &limits, cx.report).map_err(StageError::Parameter)?;
+            errors.keep(judged(&forecast.garment, &shapes, &limits, cx.report).map_err(StageError::Parameter));
         }
+        errors.finish()?;
         Ok(forecast.by_triangles(0.001, 0.001, 1.0))
     }
 

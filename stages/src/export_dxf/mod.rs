@@ -17,11 +17,10 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
 use std::path::{Path, PathBuf};
-use toile_formats::codes::CODE_PAGE_UNKNOWN;
 use toile_formats::dxf::write::{self, Drawing, PieceOptions, StyleText, WriteOptions, piece_drawing};
 use toile_formats::{encoding, rul};
 use toile_garment::{Aspect, Diagnostic, Garment, Piece};
-use toile_stage_api::{Cost, Forecast, Stage, StageContext, StageError, StageInfo};
+use toile_stage_api::{Cost, Errors, Forecast, Stage, StageContext, StageError, StageInfo};
 
 pub use flat_piece::{flat_outline, flat_piece, with_outline};
 
@@ -158,25 +157,20 @@ impl Default for ExportDxfParams {
 impl ExportDxfParams {
     /// Unit and code page.
     fn options(&self) -> Result<WriteOptions, Box<Diagnostic>> {
-        let page = self.code_page.as_deref().map(|name| {
-            encoding::named(name).ok_or_else(|| {
-                let text = format!("`code_page` is `{name}`, which is no code page this program knows");
-                let hint = "e.g. \"windows-1252\", \"gbk\", \"shift_jis\", \"utf-8\"";
-                Box::new(Diagnostic::error(CODE_PAGE_UNKNOWN, text).hint(hint))
-            })
-        });
+        let page = self.code_page.as_deref().map(encoding::asked);
         Ok(WriteOptions { inches: self.units == DxfUnit::Inch, page: page.transpose()? })
     }
 
-    /// Finds what is wrong before anything is read.
-    fn check(&self) -> Result<(), StageError> {
-        self.options().map_err(|f| StageError::parameter(*f))?;
+    /// What is wrong, before anything is read.
+    fn faults(&self) -> Errors {
+        let mut errors = Errors::default();
+        errors.keep(self.options().map_err(|f| StageError::parameter(*f)));
         if self.size_run.is_some() && self.sewing.is_some() {
             let text = "a sewing file belongs to one size, and `size_run` writes all of them";
             let hint = "leave `sewing` out, or write one size: without `size_run`";
-            return Err(StageError::parameter(Diagnostic::error(import_dxf::SIZES_WITH_SEWING, text).hint(hint)));
+            errors.parameters(vec![Diagnostic::error(import_dxf::SIZES_WITH_SEWING, text).hint(hint)]);
         }
-        Ok(())
+        errors
     }
 
     /// How pieces are drawn.
@@ -209,12 +203,19 @@ impl Stage for ExportDxf {
         forecast: &mut Forecast,
         cx: &mut StageContext<'_>,
     ) -> Result<Option<Cost>, StageError> {
-        params.check()?;
+        let mut errors = params.faults();
         match &params.size_run {
-            Some(pattern) => drop(sizes_of(pattern, &forecast.garment, cx)?),
-            None if params.source == DxfSource::Flat && forecast.garment.flat.is_none() => return Err(no_flat()),
+            Some(pattern) => drop(errors.keep(sizes_of(pattern, &forecast.garment, cx))),
+            None if params.source == DxfSource::Flat && forecast.garment.flat.is_none() => {
+                errors.extend([no_flat()]);
+            }
             None => {}
         }
+        if let Some(pattern) = &params.grade_from {
+            errors.keep(sizes_of(pattern, &forecast.garment, cx));
+        }
+        errors.parameters(allowance::faults(params.allowance.as_ref(), &forecast.garment.pieces));
+        errors.finish()?;
         Ok(forecast.by_triangles(0.01, 0.001, 1.0))
     }
 
@@ -225,7 +226,7 @@ impl Stage for ExportDxf {
         cx: &mut StageContext<'_>,
     ) -> Result<Garment, StageError> {
         // A wrong code page is found before anything is read or flattened pieces are asked for.
-        params.check()?;
+        params.faults().finish()?;
         if let Some(pattern) = &params.size_run {
             write_run(pattern, &garment, params, cx)?;
             return Ok(garment);

@@ -22,9 +22,6 @@ codes! {
     /// The rest shape was asked from texture coordinates, and the mesh has none. Exit code 3.
     MESH_WITHOUT_UV = "mesh-without-uv";
 
-    /// A text file is not UTF-8. Save it as UTF-8. Exit code 3.
-    TEXT_ENCODING = "text-encoding";
-
     /// Triangles of the cloth mesh stand in the file again: they would be a second cloth in the place of the first.
     /// Exit code 3.
     TRIANGLES_DOUBLE = "triangles-double";

@@ -13,6 +13,7 @@ mod tests;
 mod turned;
 
 use crate::sewing::sewn_points::SewnPoints;
+use crate::text::utf8;
 use borders::Borders;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -26,7 +27,7 @@ use toile_garment::ids::{MeshVertex, PieceId, SeamId};
 use toile_garment::outline::{LinePoint, PieceLine, PointKind};
 use toile_garment::seam::{Seam, SeamKind, SeamRun, SeamSide, Stitch};
 use toile_garment::{Aspect, Diagnostic, Garment, Piece, Severity, SourceRef, Vec3};
-use toile_stage_api::{Cost, Forecast, Stage, StageContext, StageError, StageInfo};
+use toile_stage_api::{Cost, Errors, Forecast, Stage, StageContext, StageError, StageInfo};
 
 pub use rest::Rest;
 
@@ -90,16 +91,17 @@ impl Stage for ImportMesh {
     }
 
     fn run(&self, params: &Self::Params, _: Garment, cx: &mut StageContext<'_>) -> Result<Garment, StageError> {
-        let mut input = Input { params, errors: Vec::new() };
-        let cloth = input.cloth(cx)?;
-        let fabric = input.fabric(cx)?;
-        let body = input.body(cx)?;
+        let mut input = Input { params, errors: Errors::default() };
+        let cloth = input.cloth(cx);
+        let fabric = input.fabric(cx);
+        let body = input.body(cx);
         let count = cloth.as_ref().map_or(usize::MAX, |c| c.positions.len());
-        let pins = input.list(cx, params.pins.as_deref(), |text, file| lists::pins(text, file, count))?;
-        let sewn = input.list(cx, params.stitches.as_deref(), |text, file| lists::stitches(text, file, count))?;
-        let loads = input.list(cx, params.loads.as_deref(), |text, file| lists::loads(text, file, count))?;
-        let (Some(cloth), Some(fabric), true) = (cloth, fabric, input.errors.is_empty()) else {
-            return Err(StageError::Input(input.errors));
+        let pins = input.list(cx, params.pins.as_deref(), |text, file| lists::pins(text, file, count));
+        let sewn = input.list(cx, params.stitches.as_deref(), |text, file| lists::stitches(text, file, count));
+        let loads = input.list(cx, params.loads.as_deref(), |text, file| lists::loads(text, file, count));
+        input.errors.finish()?;
+        let (Some(cloth), Some(fabric)) = (cloth, fabric) else {
+            return Err(StageError::Internal("files that cannot be read have no fault".to_owned()));
         };
         let stitches: Vec<(u32, u32)> = sewn.iter().map(|s| s.pair).collect();
         let mut garment = one_piece(params, cloth, &stitches, cx)?;
@@ -142,49 +144,46 @@ fn turns_with_grain(f: &Fabric) -> bool {
 /// Reads the input files; mistakes of all of them are collected.
 struct Input<'a> {
     params: &'a ImportMeshParams,
-    errors: Vec<Diagnostic>,
+    errors: Errors,
 }
 
 impl Input<'_> {
     fn keep<T>(&mut self, read: Result<T, Vec<Diagnostic>>) -> Option<T> {
-        read.map_err(|found| self.errors.extend(found)).ok()
+        self.errors.keep(read.map_err(StageError::Input))
     }
 
-    fn text(&mut self, cx: &mut StageContext<'_>, file: &str) -> Result<Option<String>, StageError> {
-        let bytes = cx.files.read(Path::new(file))?;
-        let text = String::from_utf8(bytes).map_err(|e| {
-            let message = format!("`{file}` is no UTF-8 text (byte {})", e.utf8_error().valid_up_to());
-            vec![Diagnostic::error(codes::TEXT_ENCODING, message).at(SourceRef::file(file))]
-        });
-        Ok(self.keep(text))
+    fn text(&mut self, cx: &mut StageContext<'_>, file: &str) -> Option<String> {
+        let bytes = self.errors.keep(cx.files.read(Path::new(file)))?;
+        self.errors.keep(utf8(Path::new(file), &bytes))
     }
 
-    fn cloth(&mut self, cx: &mut StageContext<'_>) -> Result<Option<obj::ObjMesh>, StageError> {
+    fn cloth(&mut self, cx: &mut StageContext<'_>) -> Option<obj::ObjMesh> {
         let file = &self.params.cloth;
-        let bytes = cx.files.read(Path::new(file))?;
-        let cloth = self.keep(obj::read(&bytes, file));
-        self.errors.extend(cloth.as_ref().and_then(|cloth| repeated(cloth, file)));
-        Ok(cloth)
+        let bytes = self.errors.keep(cx.files.read(Path::new(file)))?;
+        let cloth = self.keep(obj::read(&bytes, file))?;
+        self.errors.inputs(repeated(&cloth, file).into_iter().collect());
+        Some(cloth)
     }
 
-    fn fabric(&mut self, cx: &mut StageContext<'_>) -> Result<Option<Fabric>, StageError> {
+    fn fabric(&mut self, cx: &mut StageContext<'_>) -> Option<Fabric> {
         let file = &self.params.fabric;
-        let Some(text) = self.text(cx, file)? else { return Ok(None) };
-        Ok(self.keep(fabric::read(&text, file)))
+        let text = self.text(cx, file)?;
+        self.keep(fabric::read(&text, file))
     }
 
-    fn body(&mut self, cx: &mut StageContext<'_>) -> Result<Option<toile_garment::body::Body>, StageError> {
-        let Some(file) = &self.params.body else { return Ok(None) };
-        let bytes = cx.files.read(Path::new(file))?;
-        let beside = cx.files.read_optional(Path::new(&body::sidecar_name(file)))?;
-        let beside = beside.map(|b| String::from_utf8_lossy(&b).into_owned());
-        let Some(mut read) = self.keep(body::read(&bytes, file, beside.as_deref())) else { return Ok(None) };
+    fn body(&mut self, cx: &mut StageContext<'_>) -> Option<toile_garment::body::Body> {
+        let file = self.params.body.as_ref()?;
+        let side = body::sidecar_name(file);
+        let bytes = self.errors.keep(cx.files.read(Path::new(file)));
+        let beside = self.errors.keep(cx.files.read_optional(Path::new(&side))).flatten();
+        let beside = beside.and_then(|b| self.errors.keep(utf8(Path::new(&side), &b)));
+        let mut read = self.keep(body::read(&bytes?, file, beside.as_deref()))?;
         // A body of a test scene, a ball or a disc, need not be as high as a person.
         let height = |d: &Diagnostic| d.code == BODY_SIZE && d.severity == Severity::Warning;
         read.findings.retain(|d| !height(d));
         cx.report.findings.append(&mut read.findings);
         body::turn(&mut read.body, self.params.up);
-        Ok(Some(read.body))
+        Some(read.body)
     }
 
     fn list<T>(
@@ -192,10 +191,12 @@ impl Input<'_> {
         cx: &mut StageContext<'_>,
         file: Option<&str>,
         read: impl Fn(&str, &str) -> Result<Vec<T>, Vec<Diagnostic>>,
-    ) -> Result<Vec<T>, StageError> {
-        let Some(file) = file else { return Ok(Vec::new()) };
-        let Some(text) = self.text(cx, file)? else { return Ok(Vec::new()) };
-        Ok(self.keep(read(&text, file)).unwrap_or_default())
+    ) -> Vec<T> {
+        let read = file.and_then(|file| {
+            let text = self.text(cx, file)?;
+            self.keep(read(&text, file))
+        });
+        read.unwrap_or_default()
     }
 }
 

@@ -2,56 +2,34 @@
 
 use super::{StitchParams, codes};
 use crate::body::check_side_file;
-use crate::codes::TEXT_NOT_UTF8;
+use crate::text::utf8;
 use std::collections::BTreeSet;
 use std::path::Path;
+use toile_formats::body::{ReadBody, Unread, read_sound_parts};
 use toile_garment::body::Body;
 use toile_garment::fabric::Fabric;
 use toile_garment::{Diagnostic, Garment, Severity};
-use toile_stage_api::{StageContext, StageError};
+use toile_stage_api::{Errors, StageContext, StageError};
 
-/// Reads all fabrics and the body of the parameters into the garment. What is wrong with both is told at once.
-///
-/// # Errors
-/// When a file is missing or wrong.
-pub fn inputs(params: &StitchParams, garment: &mut Garment, cx: &mut StageContext<'_>) -> Result<(), StageError> {
-    let mut errors = fabrics(params, garment, cx);
-    garment.body = match params.body.as_ref().map(|path| body(path, cx)) {
-        Some(Ok(body)) => Some(body),
-        // Nothing is measured on another body instead.
-        Some(Err(error)) => {
-            errors.push(error);
-            None
-        }
-        None => garment.body.take(),
-    };
-    together(errors)
+/// Reads all fabrics and the body of the parameters into the garment, as far as they can be read. What is wrong with them
+/// is told at once. It gives the names of the body that cannot be read.
+pub fn inputs(params: &StitchParams, garment: &mut Garment, errors: &mut Errors, cx: &mut StageContext<'_>) -> Unread {
+    fabrics(params, garment, errors, cx);
+    let Some(path) = &params.body else { return Unread::default() };
+    // Nothing is measured on another body instead.
+    let (body, unread) = sound_body(path, errors, cx);
+    garment.body = Some(body);
+    unread
 }
 
-/// All files that are wrong; else the first that could not be read.
-fn together(errors: Vec<StageError>) -> Result<(), StageError> {
-    let (mut wrong, mut unread) = (Vec::new(), None);
-    for error in errors {
-        match error {
-            StageError::Input(findings) => wrong.extend(findings),
-            other => unread = unread.or(Some(other)),
-        }
-    }
-    if wrong.is_empty() { unread.map_or(Ok(()), Err) } else { Err(StageError::Input(wrong)) }
-}
-
-/// Reads all fabrics of the parameters into the garment, and gives what is wrong with them.
+/// Reads all fabrics of the parameters into the garment.
 ///
 /// A fabric for a material that no piece is of gets a warning, as soon as there are pieces.
-fn fabrics(params: &StitchParams, garment: &mut Garment, cx: &mut StageContext<'_>) -> Vec<StageError> {
+fn fabrics(params: &StitchParams, garment: &mut Garment, errors: &mut Errors, cx: &mut StageContext<'_>) {
     let base = std::iter::once((String::new(), &params.fabric));
-    let mut errors = Vec::new();
     for (material, path) in base.chain(params.fabrics.iter().map(|(material, path)| (material.clone(), path))) {
-        match fabric(path, cx) {
-            Ok(read) => {
-                garment.fabrics.insert(material, read);
-            }
-            Err(error) => errors.push(error),
+        if let Some(read) = errors.keep(fabric(path, cx)) {
+            garment.fabrics.insert(material, read);
         }
     }
     let materials: BTreeSet<&str> = garment.pieces.iter().filter_map(|p| p.material.as_deref()).collect();
@@ -59,7 +37,6 @@ fn fabrics(params: &StitchParams, garment: &mut Garment, cx: &mut StageContext<'
     let unused = params.fabrics.keys().filter(|key| !garment.pieces.is_empty() && !is_known(key));
     let names: Vec<&str> = garment.pieces.iter().map(|p| p.name.as_str()).collect();
     cx.report.findings.extend(unused.map(|key| no_such_material(key, &materials, &names)));
-    errors
 }
 
 fn no_such_material(key: &str, materials: &BTreeSet<&str>, pieces: &[&str]) -> Diagnostic {
@@ -76,7 +53,7 @@ fn no_such_material(key: &str, materials: &BTreeSet<&str>, pieces: &[&str]) -> D
 
 fn fabric(path: &Path, cx: &mut StageContext<'_>) -> Result<Fabric, StageError> {
     let name = path.display().to_string();
-    let text = text(path, &cx.files.read(path)?)?;
+    let text = utf8(path, &cx.files.read(path)?)?;
     toile_formats::fabric::read(&text, &name).map_err(StageError::Input)
 }
 
@@ -85,26 +62,30 @@ fn fabric(path: &Path, cx: &mut StageContext<'_>) -> Result<Fabric, StageError> 
 /// # Errors
 /// When a file is missing or wrong.
 pub fn body(path: &Path, cx: &mut StageContext<'_>) -> Result<Body, StageError> {
-    let bytes = cx.files.read(path)?;
-    let side_path = path.with_extension("toml");
-    // A file that ends in `.toml` is no side file of itself.
-    let beside = if side_path == path { None } else { cx.files.read_optional(&side_path)? };
-    let side = beside.map(|b| text(&side_path, &b)).transpose()?;
-    let read =
-        toile_formats::body::read(&bytes, &path.display().to_string(), side.as_deref()).map_err(StageError::Input)?;
-    for finding in read.findings {
-        if finding.severity != Severity::Info {
-            cx.report.push(finding);
-        }
-    }
-    let said = if side.is_some() { check_side_file(&read.body, &side_path.display().to_string()) } else { Vec::new() };
-    let (wrong, doubtful): (Vec<_>, Vec<_>) = said.into_iter().partition(|f| f.severity == Severity::Error);
-    cx.report.findings.extend(doubtful);
-    if wrong.is_empty() { Ok(read.body) } else { Err(StageError::Input(wrong)) }
+    let mut errors = Errors::default();
+    let (body, _) = sound_body(path, &mut errors, cx);
+    errors.finish().map(|()| body)
 }
 
-fn text(path: &Path, bytes: &[u8]) -> Result<String, StageError> {
-    String::from_utf8(bytes.to_vec()).map_err(|_| {
-        StageError::input(Diagnostic::error(TEXT_NOT_UTF8, format!("{} is not UTF-8 text", path.display())))
-    })
+/// As much of a body and its side file as can be read, and the names that cannot. A mesh that is not there or wrong has no
+/// triangle.
+fn sound_body(path: &Path, errors: &mut Errors, cx: &mut StageContext<'_>) -> (Body, Unread) {
+    let bytes = errors.keep(cx.files.read(path));
+    let side_path = path.with_extension("toml");
+    // A file that ends in `.toml` is no side file of itself.
+    let beside = if side_path == path { Ok(None) } else { cx.files.read_optional(&side_path) };
+    let beside = errors.keep(beside).flatten();
+    let side = beside.as_ref().and_then(|bytes| errors.keep(utf8(&side_path, bytes)));
+    let parts = read_sound_parts(bytes.as_deref(), &path.display().to_string(), side.as_deref());
+    let unread = Unread { all: parts.unread.all || beside.is_some() && side.is_none(), ..parts.unread };
+    // What is wrong with a mesh that is not there is told already.
+    errors.inputs(if bytes.is_some() { parts.errors } else { Vec::new() });
+    let ReadBody { body, findings } = parts.read;
+    cx.report.findings.extend(findings.into_iter().filter(|f| f.severity != Severity::Info));
+    let is_told = side.is_some() && !body.triangles.is_empty();
+    let said = if is_told { check_side_file(&body, &side_path.display().to_string()) } else { Vec::new() };
+    let (wrong, doubtful): (Vec<_>, Vec<_>) = said.into_iter().partition(|f| f.severity == Severity::Error);
+    cx.report.findings.extend(doubtful);
+    errors.inputs(wrong);
+    (body, unread)
 }

@@ -8,6 +8,7 @@ mod folded;
 mod forecast;
 mod held_bands;
 mod ignored_parts;
+mod known;
 pub(crate) mod load;
 mod part_of_ring;
 pub mod place;
@@ -28,7 +29,7 @@ use toile_garment::garment::Shape;
 use toile_garment::seam::{Seam, SeamKind};
 use toile_garment::units::{Duration, Length};
 use toile_garment::{Aspect, Diagnostic, Garment, MeshVertex, Piece, SeamId, Vec3};
-use toile_stage_api::{Cost, Forecast, Knob, Meaning, Stage, StageContext, StageError, StageInfo};
+use toile_stage_api::{Cost, Errors, Forecast, Knob, Meaning, Stage, StageContext, StageError, StageInfo};
 
 /// Places the pieces around the body and closes seams and darts.
 #[derive(Clone, Copy, Debug, Default)]
@@ -121,25 +122,20 @@ impl Stage for Stitch {
         forecast: &mut Forecast,
         cx: &mut StageContext<'_>,
     ) -> Result<Option<Cost>, StageError> {
-        check_clearance(params)?;
-        toile_cloth::check_settings(&settings(params, cx.threads)).map_err(failure)?;
-        let read = load::inputs(params, &mut forecast.garment, cx);
-        let garment = &forecast.garment;
-        // On a body that could not be read nothing has a place.
-        let has_body = params.body.is_none() || garment.body.is_some();
-        let wrong = match (has_body, forecast.in_doubt) {
-            (false, _) => Vec::new(),
-            (true, true) => attach::faults(garment),
-            (true, false) => plan_faults(garment, params.clearance.0),
-        };
-        match (read, wrong.is_empty()) {
-            (Ok(()), true) => Ok(forecast::cost(forecast)),
-            (Ok(()), false) => Err(StageError::Parameter(wrong)),
-            (Err(error), _) => {
-                cx.report.findings.extend(wrong);
-                Err(error)
-            }
-        }
+        let mut errors = Errors::default();
+        errors.keep(check_clearance(params));
+        errors.extend(toile_cloth::setting_faults(&settings(params, cx.threads)).into_iter().map(failure));
+        let mut of_files = Errors::default();
+        let unread = load::inputs(params, &mut forecast.garment, &mut of_files, cx);
+        let in_doubt = forecast.in_doubt || !of_files.is_empty();
+        errors.keep(of_files.finish());
+        let garment = &mut forecast.garment;
+        known::set_aside(&mut garment.plan, &unread);
+        errors.parameters(plan_faults(garment, params.clearance.0, in_doubt));
+        // On a body without a mesh nothing has a place.
+        garment.body.take_if(|body| body.triangles.is_empty());
+        errors.finish()?;
+        Ok(forecast::cost(forecast))
     }
 
     fn run(
@@ -148,8 +144,10 @@ impl Stage for Stitch {
         mut garment: Garment,
         cx: &mut StageContext<'_>,
     ) -> Result<Garment, StageError> {
-        check_clearance(params)?;
-        load::inputs(params, &mut garment, cx)?;
+        let mut errors = Errors::default();
+        errors.keep(check_clearance(params));
+        load::inputs(params, &mut garment, &mut errors, cx);
+        errors.finish()?;
         let wrong = attach::faults(&garment);
         if !wrong.is_empty() {
             return Err(StageError::Parameter(wrong));
@@ -224,10 +222,14 @@ fn check_clearance(params: &StitchParams) -> Result<(), StageError> {
     Err(StageError::parameter(Diagnostic::error(SETTING_OUT_OF_RANGE, message)))
 }
 
-/// What is wrong with the plan of sewing, as far as it can be told without a mesh.
-fn plan_faults(garment: &Garment, clearance: f64) -> Vec<Diagnostic> {
+/// What is wrong with the plan of sewing, as far as it can be told without a mesh. While something in the files is in doubt,
+/// nothing is said that follows from the whole, and of a body without a mesh only the names.
+fn plan_faults(garment: &Garment, clearance: f64, in_doubt: bool) -> Vec<Diagnostic> {
+    if garment.body.as_ref().is_some_and(|body| body.triangles.is_empty()) {
+        return attach::unknown_targets(garment);
+    }
     let placed = place::faults(garment, clearance);
-    let foreseen = if placed.is_empty() { arranged::foreseen(garment) } else { Vec::new() };
+    let foreseen = if placed.is_empty() && !in_doubt { arranged::foreseen(garment) } else { Vec::new() };
     placed.into_iter().chain(foreseen).chain(attach::faults(garment)).collect()
 }
 

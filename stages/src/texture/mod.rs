@@ -20,10 +20,10 @@ use toile_formats::codes::FILE_TOO_LARGE;
 use toile_formats::texture::read_image;
 use toile_garment::texture::{Image, Material, PieceTexture, Textures};
 use toile_garment::{Aspect, Diagnostic, Garment, Piece, Severity};
-use toile_stage_api::{Cost, Forecast, Stage, StageContext, StageError, StageInfo};
+use toile_stage_api::{Cost, Errors, Forecast, Stage, StageContext, StageError, StageInfo};
 
 /// Colour of cloth of which nothing is known.
-const WHITE: &str = "#ffffff";
+const WHITE: [f64; 3] = [1.0; 3];
 
 /// Lays the fabric on the pieces.
 pub struct Texture;
@@ -83,51 +83,36 @@ impl Stage for Texture {
 }
 
 /// All looks with their bitmaps; `findings` were found before.
-fn read(
-    looks: &[Look<'_>],
-    mut findings: Vec<Diagnostic>,
-    cx: &mut StageContext<'_>,
-) -> Result<Vec<Material>, StageError> {
-    let mut materials = Vec::with_capacity(looks.len());
-    for look in looks {
-        match material(look, cx)? {
-            Ok(m) => materials.push(m),
-            Err(finding) => findings.push(*finding),
-        }
-    }
-    if findings.iter().any(|f| f.severity == Severity::Error) {
-        return Err(StageError::Parameter(findings));
-    }
-    cx.report.findings.append(&mut findings);
+fn read(looks: &[Look<'_>], findings: Vec<Diagnostic>, cx: &mut StageContext<'_>) -> Result<Vec<Material>, StageError> {
+    let mut errors = Errors::default();
+    let materials = looks.iter().filter_map(|look| errors.keep(material(look, cx))).collect();
+    let (wrong, told): (Vec<_>, Vec<_>) = findings.into_iter().partition(|f| f.severity == Severity::Error);
+    errors.parameters(wrong);
+    errors.finish()?;
+    cx.report.findings.extend(told);
     Ok(materials)
 }
 
 /// A look with its bitmap read.
-fn material(look: &Look<'_>, cx: &mut StageContext<'_>) -> Result<Result<Material, Box<Diagnostic>>, StageError> {
-    let plain = |color, image| Material {
+fn material(look: &Look<'_>, cx: &mut StageContext<'_>) -> Result<Material, StageError> {
+    let mut errors = Errors::default();
+    let asked = look.color.map(color::linear).transpose().map_err(|wrong| StageError::parameter(*wrong));
+    let asked = errors.keep(asked).flatten();
+    let plain = Material {
         name: look.name.to_owned(),
-        color,
-        image,
+        color: asked.unwrap_or(WHITE),
+        image: None,
         repeat: look.repeat.map(|l| l.0),
         roughness: look.roughness,
         normal: None,
         sheen: None,
     };
-    let color = |text: Option<&str>| color::linear(text.unwrap_or(WHITE));
-    Ok(match look.image {
-        None => color(look.color).map(|color| plain(color, None)),
-        Some(file) if unified::is_u3m(file) => {
-            let asked = match look.color.map(color::linear).transpose() {
-                Ok(asked) => asked,
-                Err(finding) => return Ok(Err(finding)),
-            };
-            Ok(unified::material(file, plain(asked.unwrap_or([1.0; 3]), None), asked.is_some(), cx)?)
-        }
-        Some(file) => {
-            let image = bitmap(file, cx)?;
-            color(look.color).map(|color| plain(color, Some(image)))
-        }
-    })
+    let made = match look.image {
+        None => Ok(plain),
+        Some(file) if unified::is_u3m(file) => unified::material(file, plain, asked.is_some(), cx),
+        Some(file) => bitmap(file, cx).map(|image| Material { image: Some(image), ..plain }),
+    };
+    errors.finish_with(made)
 }
 
 /// A bitmap, read.

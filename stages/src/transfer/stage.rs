@@ -11,7 +11,7 @@ use toile_garment::body::Body;
 use toile_garment::garment::Shape;
 use toile_garment::units::Length;
 use toile_garment::{Aspect, Code, Diagnostic, Garment};
-use toile_stage_api::{Cost, Forecast, Stage, StageContext, StageError, StageInfo};
+use toile_stage_api::{Cost, Errors, Forecast, Stage, StageContext, StageError, StageInfo};
 
 codes! {
     pub(crate) list CODES;
@@ -66,8 +66,13 @@ impl Stage for Transfer {
         forecast: &mut Forecast,
         cx: &mut StageContext<'_>,
     ) -> Result<Option<Cost>, StageError> {
-        girths(params)?;
-        forecast.garment.body = Some(load::body(&params.body, cx)?);
+        let mut errors = Errors::default();
+        errors.keep(girths(params));
+        forecast.garment.body = errors.keep(load::body(&params.body, cx));
+        if let Some(from) = &params.from {
+            errors.keep(load::body(from, cx));
+        }
+        errors.finish()?;
         Ok(Some(Cost::seconds(0.3)))
     }
 

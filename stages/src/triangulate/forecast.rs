@@ -3,18 +3,21 @@
 use super::{Params, size};
 use crate::sewing::shapes::shapes;
 use toile_garment::Garment;
-use toile_stage_api::{MeshSize, StageError};
+use toile_stage_api::{Errors, MeshSize, StageError};
 
 /// Size of the mesh that the stage will make of these pieces; `None` without pieces.
 ///
 /// # Errors
 /// When the outlines or the parameters would end the run, too.
 pub(super) fn mesh(params: &Params, garment: &Garment) -> Result<Option<MeshSize>, StageError> {
+    let mut errors = Errors::default();
+    errors.keep(size::check_asked(params));
+    let shapes = errors.keep(shapes(garment).map_err(StageError::Input)).unwrap_or_default();
+    errors.keep(size::check_pieces(garment, &shapes));
+    errors.finish()?;
     if garment.pieces.is_empty() {
         return Ok(None);
     }
-    let shapes = shapes(garment).map_err(StageError::Input)?;
-    size::check_pieces(garment, &shapes)?;
     let edge = size::edge_length(params, garment, &shapes)?;
     let triangles = size::triangles(size::cloth_area(garment, &shapes), edge);
     Ok((triangles > 0.0).then_some(MeshSize { triangles, edge }))

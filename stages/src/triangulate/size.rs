@@ -59,21 +59,29 @@ fn likely_unit(largest: f64) -> Option<&'static str> {
     likely.min_by(|a, b| off(a.1).total_cmp(&off(b.1))).map(|(words, _)| *words)
 }
 
+fn wrong<T>(message: String, hint: &str) -> Result<T, StageError> {
+    Err(StageError::parameter(Diagnostic::error(codes::EDGE_LENGTH, message).hint(hint)))
+}
+
+/// Refuses parameters that make no mesh of any pieces.
+pub fn check_asked(params: &Params) -> Result<(), StageError> {
+    let cannot_be = |h: f64| !(h.is_finite() && h > 0.0);
+    match (params.edge_length, params.triangles) {
+        (Some(_), Some(_)) => wrong("edge_length and triangles are both given".to_owned(), "give one of them"),
+        (None, Some(0)) => wrong("triangles cannot be 0".to_owned(), "e.g. triangles = 2200"),
+        (Some(h), None) if cannot_be(h.0) => {
+            wrong(format!("the edge length {} mm cannot be", h.0 * 1e3), "e.g. edge_length = \"12 mm\"")
+        }
+        _ => Ok(()),
+    }
+}
+
 /// Edge length for the parameters.
 pub fn edge_length(params: &Params, garment: &Garment, shapes: &Shapes) -> Result<f64, StageError> {
+    check_asked(params)?;
     let area = cloth_area(garment, shapes);
-    let wrong = |message: String, hint: &str| {
-        Err(StageError::parameter(Diagnostic::error(codes::EDGE_LENGTH, message).hint(hint)))
-    };
-    let h = match (params.edge_length, params.triangles) {
-        (Some(_), Some(_)) => {
-            return wrong("edge_length and triangles are both given".to_owned(), "give one of them");
-        }
-        (Some(length), None) => length.0,
-        (None, Some(0)) => return wrong("triangles cannot be 0".to_owned(), "e.g. triangles = 2200"),
-        (None, Some(n)) => (4.0 * area / (3_f64.sqrt() * f64::from(n))).sqrt(),
-        (None, None) => DEFAULT,
-    };
+    let by_number = |n: u32| (4.0 * area / (3_f64.sqrt() * f64::from(n))).sqrt();
+    let h = params.edge_length.map(|h| h.0).or(params.triangles.map(by_number)).unwrap_or(DEFAULT);
     if !(h.is_finite() && h > 0.0 && params.angle.0.is_finite()) {
         return wrong(format!("the edge length {} mm cannot be", h * 1e3), "e.g. edge_length = \"12 mm\"");
     }

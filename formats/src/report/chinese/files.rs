@@ -21,7 +21,6 @@ pub const WORDS: &[Words] = &[
     ("not-dxf", "文件的开头不是 DXF。", "检查是否选错文件。"),
     ("not-text", "文件不是 UTF-8 文本。", "另存为 UTF-8。"),
     ("no-reader", "此命令不能读取这种格式的文件。", "检查文件类型。"),
-    ("text-encoding", "文本文件不是 UTF-8。", "另存为 UTF-8。"),
     ("text-not-utf8", "文本文件不是 UTF-8。", "另存为 UTF-8。"),
     ("toml-syntax", "文件在此处不符合 TOML 语法。", "文字加引号，表用 [ ]，表的列表用 [[ ]]。"),
     ("utf-16-text", "文件是 UTF-16 文本，已按此读取。", ""),

@@ -1,5 +1,6 @@
 //! What moves, how it is stepped, and what comes out.
 
+use crate::scene::validate;
 use crate::{BodyMesh, ClothError, EffectReport, SceneFault, Vec3};
 
 /// How time is stepped.
@@ -131,6 +132,12 @@ impl Dynamics {
     /// # Errors
     /// [`ClothError::BadSetting`] for the first that is not.
     pub fn check(&self) -> Result<(), ClothError> {
+        validate::first(self.faults())
+    }
+
+    /// All values out of their ranges.
+    #[must_use]
+    pub fn faults(&self) -> Vec<ClothError> {
         let ranges: [(&'static str, f64, f64, f64); 5] = [
             ("step", self.step, 1e-6, 1.0),
             ("damping", self.damping, 0.0, 1e6),
@@ -138,27 +145,24 @@ impl Dynamics {
             ("tolerance", self.tolerance, 1e-12, 1.0),
             ("rest_speed", self.rest_speed, 0.0, 1e3),
         ];
-        for (name, value, low, high) in ranges {
-            if !(low..=high).contains(&value) {
-                return Err(ClothError::BadSetting { name, what: format!("{value} is outside {low} … {high}") });
-            }
-        }
-        Ok(())
+        validate::out_of_range(&ranges)
     }
 }
 
 impl Motion {
+    /// All values out of their ranges, whatever the body.
+    #[must_use]
+    pub fn faults(&self) -> Vec<ClothError> {
+        let frames = ("frames", self.frames as f64, 0.0, MOST_FRAMES);
+        validate::out_of_range(&[("fps", self.fps, 1.0, 1e5), ("lead_in", self.lead_in, 0.0, 60.0), frames])
+    }
+
     /// Checks that all values are in range and fit a body and a number of vertices.
     ///
     /// # Errors
     /// [`ClothError::BadSetting`] or [`ClothError::BadScene`] for the first that does not.
     pub fn check(&self, body: Option<&BodyMesh>, vertices: usize) -> Result<(), ClothError> {
-        let frames = ("frames", self.frames as f64, 0.0, MOST_FRAMES);
-        for (name, value, low, high) in [("fps", self.fps, 1.0, 1e5), ("lead_in", self.lead_in, 0.0, 60.0), frames] {
-            if !(low..=high).contains(&value) {
-                return Err(ClothError::BadSetting { name, what: format!("{value} is outside {low} … {high}") });
-            }
-        }
+        validate::first(self.faults())?;
         if !self.velocities.is_empty() && self.velocities.len() != vertices {
             let what = format!("{} start velocities for {vertices} vertices", self.velocities.len());
             return bad(SceneFault::Velocities, what);

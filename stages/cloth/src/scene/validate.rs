@@ -173,6 +173,26 @@ fn body(scene: &Scene) -> Result<(), ClothError> {
 
 /// Checks the ranges of all numbers.
 pub(crate) fn settings(s: &Settings) -> Result<(), ClothError> {
+    first(setting_faults(s))
+}
+
+/// The first fault of a list.
+pub(crate) fn first(faults: Vec<ClothError>) -> Result<(), ClothError> {
+    faults.into_iter().next().map_or(Ok(()), Err)
+}
+
+/// The values out of their ranges: name, value, least, most.
+pub(crate) fn out_of_range(ranges: &[(&'static str, f64, f64, f64)]) -> Vec<ClothError> {
+    let wrong = ranges.iter().filter(|(_, value, low, high)| !(low..=high).contains(&value));
+    let told = |&(name, value, low, high): &(&'static str, f64, f64, f64)| ClothError::BadSetting {
+        name,
+        what: format!("{value} is outside {low} … {high}"),
+    };
+    wrong.map(told).collect()
+}
+
+/// All numbers out of their ranges, and what the integrator cannot do.
+pub(crate) fn setting_faults(s: &Settings) -> Vec<ClothError> {
     let ranges: [(&'static str, f64, f64, f64); 16] = [
         ("damping", s.explicit.damping, 0.0, 1e6),
         ("stiffness_damping", s.explicit.stiffness_damping, 0.0, 2.0),
@@ -191,28 +211,27 @@ pub(crate) fn settings(s: &Settings) -> Result<(), ClothError> {
         ("speed_tolerance", s.explicit.speed_tolerance, 0.0, 1e3),
         ("repair_share", s.repair_share, 0.0, 1.0),
     ];
-    for (name, value, low, high) in ranges {
-        if !(low..=high).contains(&value) {
-            return Err(ClothError::BadSetting { name, what: format!("{value} is outside {low} … {high}") });
-        }
-    }
+    let mut faults = out_of_range(&ranges);
     let seconds = s.explicit.max_seconds;
     if seconds.is_nan() || seconds <= 0.0 {
-        return Err(ClothError::BadSetting { name: "max_seconds", what: format!("{seconds} is not > 0") });
+        faults.push(ClothError::BadSetting { name: "max_seconds", what: format!("{seconds} is not > 0") });
     }
-    excluded(s)
+    faults.extend(excluded(s));
+    faults
 }
 
-/// Effects that an integrator cannot do are refused where they are asked for.
-fn excluded(s: &Settings) -> Result<(), ClothError> {
-    if s.integrator == Integrator::CentralDifference && s.effects.bending_hysteresis == Switch::On {
-        let what =
-            "central differences do not simulate friction in bending; use the static integrator, or leave it out";
-        return Err(ClothError::BadSetting { name: "effects.bending-hysteresis", what: what.into() });
+/// Effects that the integrator cannot do are refused where they are asked for.
+fn excluded(s: &Settings) -> Vec<ClothError> {
+    if s.integrator != Integrator::CentralDifference {
+        return Vec::new();
     }
-    if s.integrator == Integrator::CentralDifference && s.pressure != 0.0 {
-        let what = "central differences know no pressure; use the static integrator, or leave it out";
-        return Err(ClothError::BadSetting { name: "pressure", what: what.into() });
-    }
-    Ok(())
+    let friction =
+        "central differences do not simulate friction in bending; use the static integrator, or leave it out";
+    let pressure = "central differences know no pressure; use the static integrator, or leave it out";
+    let asked = [
+        ("effects.bending-hysteresis", s.effects.bending_hysteresis == Switch::On, friction),
+        ("pressure", s.pressure != 0.0, pressure),
+    ];
+    let refused = asked.into_iter().filter(|(_, asked, _)| *asked);
+    refused.map(|(name, _, what)| ClothError::BadSetting { name, what: what.into() }).collect()
 }

@@ -6,7 +6,7 @@ mod ring;
 
 use self::edges::{HeldEdge, edge_vertices, edges_of, edges_of_spec};
 use self::lay::{Laid, Share, lay, share};
-use self::ring::{Ring, section};
+use self::ring::{Ring, section, target};
 use super::{codes, part_of_ring};
 use crate::body::Section;
 use crate::sewing::sewn_points::SewnPoints;
@@ -82,6 +82,14 @@ fn heights(garment: &Garment) -> (Vec<Height<'_>>, Vec<Diagnostic>) {
         }
     }
     (heights, errors)
+}
+
+/// Attachments to names that the body does not have, each name once.
+pub fn unknown_targets(garment: &Garment) -> Vec<Diagnostic> {
+    let specs = &garment.plan.attachments;
+    let first = specs.iter().enumerate().filter(|(k, spec)| specs[..*k].iter().all(|before| before.to != spec.to));
+    let unknown = |spec: &AttachSpec| Some(target(garment, &spec.to).err()?.at(spec.source.clone()));
+    first.filter_map(|(_, spec)| unknown(spec)).collect()
 }
 
 /// Attachments that cannot be made, whatever the mesh: on this body, or of these edges.

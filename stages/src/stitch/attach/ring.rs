@@ -21,24 +21,7 @@ pub struct Ring {
 /// Height and level section of the body at a landmark or height. An open mesh may have a gap there, but no more than a
 /// share of it.
 pub fn section(garment: &Garment, to: &str) -> Result<(f64, Section), Diagnostic> {
-    let body = garment.body.as_ref().ok_or_else(|| {
-        Diagnostic::error(BODY_MISSING, format!("an edge is attached to `{to}`, but there is no body"))
-            .hint("give the stage `stitch` a body: with.body = \"…obj\"")
-    })?;
-    let known = || {
-        let of_trunk =
-            body.landmarks.iter().filter(|(_, p)| section_at(body, p.y).is_none_or(|s| is_round(&s, Some(**p))));
-        match of_trunk.map(|(name, _)| name.as_str()).collect::<Vec<_>>().join(", ") {
-            names if names.is_empty() => "no side file tells its landmarks; `toile body measure` writes one".to_owned(),
-            names => format!("this body has the landmarks {names}"),
-        }
-    };
-    let landmark = body.landmarks.get(to).or_else(|| body.landmarks.get(&format!("{to}-front"))).copied();
-    let height =
-        landmark.map(|p| p.y).or_else(|| body.measures.get(&format!("{to}_height")).copied()).ok_or_else(|| {
-            Diagnostic::error(codes::ATTACH_TARGET_UNKNOWN, format!("the body has no landmark or height `{to}`"))
-                .hint(known())
-        })?;
+    let (body, landmark, height) = target(garment, to)?;
     let sound = |s: &Section| s.girth() > 0.0 && s.gap() <= LARGEST_GAP * s.girth();
     let found = section_at(body, height).filter(sound).ok_or_else(|| {
         let (low, high) = extent(body);
@@ -60,7 +43,31 @@ pub fn section(garment: &Garment, to: &str) -> Result<(f64, Section), Diagnostic
         format!("an edge is attached to `{to}`, which lies on an arm or a leg, at a height of {:.0} mm", height * 1e3);
     let remedy =
         "edges are held around the trunk or the neck: give a sleeve or a leg an [[elastic]] along its edge instead";
-    Err(Diagnostic::error(codes::ATTACH_TO_LIMB, message).hint(format!("{remedy}; {}", known())))
+    Err(Diagnostic::error(codes::ATTACH_TO_LIMB, message).hint(format!("{remedy}; {}", known(body))))
+}
+
+/// The body, the landmark of this name if it is one, and its height.
+pub fn target<'g>(garment: &'g Garment, to: &str) -> Result<(&'g Body, Option<Vec3>, f64), Diagnostic> {
+    let body = garment.body.as_ref().ok_or_else(|| {
+        Diagnostic::error(BODY_MISSING, format!("an edge is attached to `{to}`, but there is no body"))
+            .hint("give the stage `stitch` a body: with.body = \"…obj\"")
+    })?;
+    let landmark = body.landmarks.get(to).or_else(|| body.landmarks.get(&format!("{to}-front"))).copied();
+    let height = landmark.map(|p| p.y).or_else(|| body.measures.get(&format!("{to}_height")).copied());
+    let unknown = || {
+        let message = format!("the body has no landmark or height `{to}`");
+        Diagnostic::error(codes::ATTACH_TARGET_UNKNOWN, message).hint(known(body))
+    };
+    height.ok_or_else(unknown).map(|height| (body, landmark, height))
+}
+
+/// The landmarks that an edge can be attached to.
+fn known(body: &Body) -> String {
+    let of_trunk = body.landmarks.iter().filter(|(_, p)| section_at(body, p.y).is_none_or(|s| is_round(&s, Some(**p))));
+    match of_trunk.map(|(name, _)| name.as_str()).collect::<Vec<_>>().join(", ") {
+        names if names.is_empty() => "no side file tells its landmarks; `toile body measure` writes one".to_owned(),
+        names => format!("this body has the landmarks {names}"),
+    }
 }
 
 /// Does a level section go round the trunk or the neck, and does a landmark lie on it? Beside the middle lies a limb.
