@@ -144,11 +144,6 @@ fn errors(mistakes: &[&Mistake]) -> BTreeSet<(String, String)> {
     list.iter().filter(is_error).map(|f| (word(f, "code"), word(f, "message"))).collect()
 }
 
-/// A mistake keeps others from being seen only where it hides the place at which they would be looked for.
-fn is_read_later(_first: &Mistake, _second: &Mistake) -> bool {
-    false
-}
-
 #[test]
 fn no_mistake_hides_another() {
     let alone: Vec<BTreeSet<(String, String)>> = MISTAKES.iter().map(|m| errors(&[m])).collect();

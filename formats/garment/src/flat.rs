@@ -112,6 +112,8 @@ pub enum CheckKind {
     Grain,
     /// Places where its outline crosses itself, up to 100.
     Overlap,
+    /// Largest strain that no flat piece avoids, as a share.
+    Strain,
 }
 
 /// The largest change of one kind on a piece.
@@ -163,6 +165,7 @@ impl Check {
             CheckKind::Symmetry => format!("{size:.2} mm off the mirror image of `{place}`"),
             CheckKind::Grain => format!("grain turned by {degrees:+.2}°"),
             CheckKind::Overlap => format!("its outline crosses itself at {:.0} places", self.value),
+            CheckKind::Strain => format!("laid flat it is strained by {:.0} %", 100.0 * self.value.abs()),
         }
     }
 }

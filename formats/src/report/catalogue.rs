@@ -436,6 +436,7 @@ pub const CATALOGUE: &[(&str, &str)] = &[
     ("{1} mm off the mirror image of `{0}`", "与 `{0}` 的镜像相差 {1} mm"),
     ("grain turned by {0}°", "丝缕转动 {0}°"),
     ("its outline crosses itself at {0} places", "轮廓与自身相交 {0} 处"),
+    ("laid flat it is strained by {0} %", "展平时应变 {0} %"),
     (
         "{0}: flattened over the original; strain of the flat cut when worn",
         "{0}：展平裁片叠在原裁片上；颜色为展平裁片穿着时的应变",

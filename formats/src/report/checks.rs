@@ -33,6 +33,9 @@ pub fn phrase(check: &Check) -> Phrase {
         CheckKind::Symmetry => Phrase::new("{1} mm off the mirror image of `{0}`", [place, size]),
         CheckKind::Grain => Phrase::new("grain turned by {0}°", [turn]),
         CheckKind::Overlap => Phrase::new("its outline crosses itself at {0} places", [format!("{:.0}", check.value)]),
+        CheckKind::Strain => {
+            Phrase::new("laid flat it is strained by {0} %", [format!("{:.0}", 100.0 * check.value.abs())])
+        }
     }
 }
 
@@ -56,7 +59,7 @@ mod tests {
         use CheckKind as K;
         let kinds =
             [K::Area, K::Edge, K::Seam, K::DartIntake, K::DartLegs, K::Notch, K::NotchPartner, K::Corner, K::Bow];
-        for kind in kinds.into_iter().chain([K::Symmetry, K::Grain, K::Overlap]) {
+        for kind in kinds.into_iter().chain([K::Symmetry, K::Grain, K::Overlap, K::Strain]) {
             for (place, along, notch) in [("side", Some(0.212), ""), ("", None, ""), ("edge 4", Some(0.1), "FRONT.n3")]
             {
                 let notch = if matches!(kind, K::Notch | K::NotchPartner) { notch.to_owned() } else { String::new() };

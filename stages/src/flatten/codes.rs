@@ -31,6 +31,9 @@ codes! {
     /// The edit mirrored the whole shape. Lengths stay the same, so the pieces come back as they were.
     FLATTEN_MIRRORED = "flatten-mirrored";
 
+    /// The edited shape is over four times as large as the drape, or as small: the editor took another unit. Exit code 3.
+    FLATTEN_SCALED = "flatten-scaled";
+
     /// The solve ended before it came to rest. The pieces are the best that it had. The message says how far a vertex still
     /// moved.
     FLATTEN_NOT_AT_REST = "flatten-not-at-rest";

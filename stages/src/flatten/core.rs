@@ -9,7 +9,7 @@ use super::params::{FlattenParams, LockKind, MetricChoice};
 use super::point_location::PointLocation;
 use super::sewn::{self, MeshEdges, Station};
 use super::solve::{Flattened, Sheet, SolveError, Stop, solve};
-use super::source::{Source, bad_triangle, is_mirrored, sources};
+use super::source::{Source, bad_triangle, is_mirrored, scale, sources};
 use super::wanted::{REFINEMENTS, Wanted};
 use super::{dart_strain, figures, findings, held_lines, overlaps, pleats, symmetry};
 use nalgebra::Matrix2;
@@ -17,6 +17,8 @@ use toile_garment::flat::{Flat, FlatMetric, FlatPiece};
 use toile_garment::{Garment, MeshVertex, Report, Vec2};
 use toile_stage_api::StageError;
 
+/// No edit makes a garment larger or smaller than so many times. An editor with another unit does.
+const SCALE_MOST: f64 = 4.0;
 /// Largest change of length of a grain line that lies on the cloth. Edits stretch a piece less.
 const GRAIN_LENGTH_CHANGE: f64 = 0.5;
 
@@ -35,6 +37,10 @@ pub fn flatten_garment(
 ) -> Result<Flat, StageError> {
     let metric = metric_of(garment, params.metric);
     let sources = sources(garment)?;
+    let scale = scale(&sources);
+    if !(1.0 / SCALE_MOST..=SCALE_MOST).contains(&scale) {
+        return Err(StageError::input(findings::scaled(scale)));
+    }
     findings::metric(garment, metric, report);
     if is_mirrored(&sources) {
         report.push(findings::mirrored());

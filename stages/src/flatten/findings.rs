@@ -44,6 +44,12 @@ pub fn metric(garment: &Garment, metric: FlatMetric, report: &mut Report) {
     }
 }
 
+/// The shape is so many times as large as before.
+pub fn scaled(by: f64) -> Diagnostic {
+    let what = format!("the edited shape is {by:.4} times as large as the drape: the editor took another unit");
+    Diagnostic::error(codes::FLATTEN_SCALED, what).hint("save it in metres, as a GLB is, and without a scale")
+}
+
 /// The edit mirrored the whole shape.
 pub fn mirrored() -> Diagnostic {
     let what = "the edited shape is the mirror image of the drape: its lengths do not tell so, and the pieces are not mirrored";

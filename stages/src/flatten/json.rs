@@ -43,7 +43,7 @@ fn piece(garment: &Garment, flat: &FlatPiece) -> Option<Value> {
 fn verdict(v: &PieceVerdict) -> Value {
     let check = |c: &Check| {
         let (key, unit) = match c.kind {
-            CheckKind::Area => ("pct", 100.0),
+            CheckKind::Area | CheckKind::Strain => ("pct", 100.0),
             CheckKind::Corner | CheckKind::Grain => ("deg", 1f64.to_degrees()),
             CheckKind::Overlap => ("count", 1.0),
             _ => ("mm", 1e3),

@@ -23,7 +23,13 @@ pub fn beside(seam: &Seam, edges: &MeshEdges, rest: &[&[Vec2]], flat: &[&[Vec2]]
     let (mut along, mut off) = ([0.0; 2], 0.0);
     let step = |s: super::sewn::Station| {
         let [before, after] = [rest, flat].map(|x| [length(x, s.a), length(x, s.b)]);
-        off += (after[0] - after[1]) - (before[0] - before[1]);
+        off += match seam.gather {
+            // A gather is sewn by its ratio, and the shorter side is what is felt.
+            Some(_) if before.iter().all(|l| *l > 0.0) => {
+                (after[0] / before[0] - after[1] / before[1]) * before[0].min(before[1])
+            }
+            _ => (after[0] - after[1]) - (before[0] - before[1]),
+        };
         along = [along[0] + before[0], along[1] + before[1]];
         Beside { at: [s.a[1], s.b[1]], along, off }
     };

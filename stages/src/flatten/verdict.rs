@@ -16,6 +16,8 @@ use toile_stage_api::StageError;
 const SEWABLE: f64 = 1e-3;
 /// Legs of a dart whose difference changed by less can be sewn without a change, metres.
 const LEGS: f64 = 0.5e-3;
+/// Strain that no cloth is eased by.
+const STRAIN: f64 = 0.5;
 /// A notch lies this near to the sewn line, metres. On a cut line it lies off it by the allowance.
 const NOTCH_NEAR: f64 = 30e-3;
 /// A station of a seam this near to a notch is the place of the notch, metres.
@@ -36,6 +38,7 @@ fn limit(kind: CheckKind, t: &FlattenTolerance) -> Option<f64> {
         CheckKind::Symmetry => t.symmetry.map(|l| l.0),
         CheckKind::Grain => t.grain.map(|a| a.0),
         CheckKind::Overlap => Some(0.0),
+        CheckKind::Strain => Some(STRAIN),
     }
 }
 
@@ -102,6 +105,7 @@ fn own(source: &Source<'_>, features: &Features, flat: &FlatPiece) -> Vec<Check>
     let corners = corner_angles(rest, features, [rest, new]).into_iter();
     out.extend(corners.map(|(name, [before, after])| check(CheckKind::Corner, &name, after - before)));
     out.push(check(CheckKind::Grain, "", flat.grain_shift));
+    out.push(check(CheckKind::Strain, "", flat.forced_strain[1]));
     let crossings = overlaps::find(source.mesh, new).len();
     out.extend((crossings > 0).then(|| check(CheckKind::Overlap, "", crossings as f64)));
     out

@@ -245,7 +245,9 @@ fn mistakes_of_all_files_are_collected() {
         ("b.obj", "v 0 0 0\n"),
     ];
     let toml = "pins = \"p.txt\"\nstitches = \"s.txt\"\nloads = \"l.txt\"\nbody = \"b.obj\"";
-    let Err(StageError::Input(found)) = import(toml, &pairs) else { panic!("refused as input") };
+    let Err(StageError::Several(all)) = import(toml, &pairs) else { panic!("several mistakes") };
+    let inputs = |error| if let StageError::Input(found) = error { found } else { panic!("refused as input") };
+    let found: Vec<Diagnostic> = all.into_iter().flat_map(inputs).collect();
     assert_eq!(found.iter().filter(|d| d.code == "vertex-list").count(), 8, "{found:#?}");
     assert!(found.iter().any(|d| d.code == "obj-empty"));
     let twice = found.iter().find(|d| d.message.contains("pinned twice")).expect("double pin");

@@ -799,3 +799,17 @@ fn a_mirrored_shape_is_told() {
     };
     assert!(told(-1.0) && !told(1.0));
 }
+
+/// An editor that saved centimetres made no garment of a hundred times the size.
+#[test]
+fn a_shape_in_another_unit_is_refused() {
+    let half = skirt(0.0, 1.4, 12, 8, 0.0);
+    let before = half.fold(0.1);
+    let told = |by: f64| {
+        let now = before.iter().map(|p| p * by).collect();
+        let g = edited(half.piece(), before.clone(), now);
+        let flat = flatten_garment(&g, &FlattenParams::default(), &mut Report::default(), &mut |_, _| true);
+        matches!(flat, Err(toile_stage_api::StageError::Input(list)) if list[0].code == "flatten-scaled")
+    };
+    assert!(told(100.0) && told(1.0 / 25.4) && !told(1.1));
+}
