@@ -189,7 +189,9 @@ fn a_list_of_sizes_gives_every_piece_in_each() {
     let (missing, _) = run("file = \"p.dxf\"\nsize = [\"40\", \"48\"]", &files);
     assert!(matches!(missing, Err(StageError::Parameter(f)) if f[0].code == "size-not-found"));
     let (sewn, _) = run("file = \"p.dxf\"\nsize = [\"40\"]\nsewing = \"s.toml\"", &files);
-    assert!(matches!(sewn, Err(StageError::Parameter(f)) if f[0].code == "sizes-with-sewing"));
+    let Err(StageError::Several(all)) = sewn else { panic!("several mistakes") };
+    assert!(matches!(&all[0], StageError::Parameter(f) if f[0].code == "sizes-with-sewing"));
+    assert!(matches!(all[1], StageError::File(_)), "nor is there such a file");
 }
 
 #[test]

@@ -116,6 +116,12 @@ fn fast_and_curve() {
     );
     let f = read(&fast, "f.toml").expect("fast");
     assert_eq!((f.bend_holds_friction, f.bend_hysteresis), (true, None));
+    // Cloth that was measured at 100 gf/cm bears what it showed there.
+    let loose = read(&fast.replace("\"4 %\"", "\"6.5 %\""), "f.toml").expect("fast");
+    assert_eq!((loose.strain_limit_warp, loose.strain_limit_weft), (0.05, 0.065));
+    let work = fast.replace("[fast]", "[fast]\nwt_warp = \"9 %\"");
+    let found = read(&work, "f.toml").expect_err("an unknown key");
+    assert!(found[0].hint.as_deref().is_some_and(|h| h.contains("follows from EMT and LT")), "{found:?}");
     let both = fast.replace("bending_weft", "bending_hysteresis = \"1 mN\"\nbending_weft");
     let f = read(&both, "f.toml").expect("a cantilever's rigidity holds the friction");
     assert_eq!((f.bend_hysteresis, f.bend_friction()), (Some(1e-3), 0.0));

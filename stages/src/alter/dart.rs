@@ -26,8 +26,8 @@ pub fn point(garment: &Garment, shapes: &Shapes, id: PieceId, p: &MovePoint) -> 
     let mut vertices = contour.chain(second, first);
     vertices.push(Vertex::new(to, PointKind::Turn));
     // The outline begins where it began, so that its edges keep their numbers.
-    let first = vertices.iter().position(|v| v.at == contour.vertices[0].at).unwrap_or(0);
-    vertices.rotate_left(first);
+    let start = vertices.iter().position(|v| v.at == contour.vertices[0].at).unwrap_or(0);
+    vertices.rotate_left(start);
     let outline = Contour { vertices };
     let filled: Vec<Vec2> = contour.chain(second, first).iter().map(|v| v.at).collect();
     if !inside(to, &filled) || outline.crossing().is_some() {

@@ -204,3 +204,22 @@ fn what_is_held_and_marked_stays_so() {
     assert!(darts.len() == 2 && darts.iter().all(|d| d.mouth.iter().all(marked)), "{:?}", out.pieces[0].notches);
     assert_eq!(out.plan.attachments.len(), 2);
 }
+
+/// A slash and spread of the seam's edge makes one of its sides longer, and this is told.
+#[test]
+fn an_edge_that_spreads_in_a_seam_is_told_with_its_name() {
+    let text = "[[change]]\ndo = \"close\"\npiece = \"front\"\ndart = \"waist\"\nto = [200, 200]\n";
+    let params = AlterParams { change: changes(text) };
+    let (_, report) = run(&Alter, &params, garment()).expect("closed");
+    let told = |code: &str| report.findings.iter().find(|f| f.code == code).expect("told").message.clone();
+    assert!(told("altered").contains("edge `front."), "{}", told("altered"));
+    assert!(told("alter-seam-differs").contains("sides of seam `side` differ by"), "{}", told("alter-seam-differs"));
+    let point = "[[change]]\ndo = \"point\"\npiece = \"front\"\ndart = \"waist\"\nto = [100, 90]\n";
+    let (out, report) = run(&Alter, &AlterParams { change: changes(point) }, garment()).expect("moved");
+    assert!(report.findings.iter().all(|f| f.code != "alter-seam-differs"));
+    // The edges keep their numbers.
+    let starts = |p: &Piece| p.edges.iter().map(|e| p.outline.points[e.from as usize].at).collect::<Vec<Vec2>>();
+    let (before, after) = (starts(&front()), starts(&out.pieces[0]));
+    let is_kept = |k: usize| (before[k] - after[k]).norm() < GRID || before[k] == v(100.0, 120.0);
+    assert!(before.len() == after.len() && (0..before.len()).all(is_kept), "{before:?} {after:?}");
+}

@@ -89,3 +89,23 @@ fn sound_body(path: &Path, errors: &mut Errors, cx: &mut StageContext<'_>) -> (B
     errors.inputs(wrong);
     (body, unread)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::testing::{cloth, one, rectangle};
+
+    #[test]
+    fn a_fabric_by_the_name_of_a_piece_wins_over_its_material() {
+        let mut garment = one(rectangle(0, "YOKE", 100.0, 50.0));
+        let mut give = |key: &str, mass: f64| {
+            garment.fabrics.insert(key.to_owned(), cloth(mass, 500.0, 50.0, [1e-5; 2]));
+            let mut piece = garment.pieces[0].clone();
+            piece.material = Some("lining".to_owned());
+            garment.fabric_of(&piece).map(|f| f.areal_mass)
+        };
+        assert_eq!([give("", 0.1), give("lining", 0.2), give("YOKE", 0.3)], [Some(0.1), Some(0.2), Some(0.3)]);
+        let told = no_such_material("YOK", &BTreeSet::new(), &["YOKE"]);
+        assert!(told.hint.as_deref().is_some_and(|h| h.contains("YOKE")), "{told:?}");
+    }
+}
