@@ -1,8 +1,9 @@
 //! The tables of fronts that are closed by buttons: facings that are folded in, and a short seam for every button.
 
+use super::sewing::point;
 use std::fmt::Write as _;
+use toile_garment::Garment;
 use toile_garment::text::quoted;
-use toile_garment::{Garment, Vec2};
 use toile_stages::proposal::{ButtonFront, button_fronts};
 
 /// Length of a buttonhole, metres.
@@ -39,8 +40,4 @@ fn front(piece: &str, copy: &str, front: &ButtonFront) -> String {
         let _ = write!(out, "\n[[seam]]\nname = \"button {k}\"\na = {a}\nb = {b}\nproposed = {SURE:.2}\n");
     }
     out
-}
-
-fn point(p: Vec2) -> String {
-    format!("[\"{:.4} mm\", \"{:.4} mm\"]", p.x * 1e3, p.y * 1e3)
 }

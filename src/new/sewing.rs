@@ -187,7 +187,7 @@ fn edge(piece: &str, edge: &EdgePart) -> String {
     format!("{{ piece = {}, edge = {}, from = {from}, to = {to} }}", quoted(piece), edge.number)
 }
 
-fn point(p: Vec2) -> String {
+pub(super) fn point(p: Vec2) -> String {
     format!("[\"{:.4} mm\", \"{:.4} mm\"]", p.x * 1e3, p.y * 1e3)
 }
 

@@ -65,12 +65,12 @@ pub fn read(obj_bytes: &[u8], obj_name: &str, sidecar_toml: Option<&str>) -> Res
     Ok(sound.read)
 }
 
-/// As much of a body as can be read, and what is wrong with the rest.
+/// The parts of a body that can be read, and the mistakes of the others.
 #[derive(Clone, Debug)]
 pub struct SoundParts {
     /// The body; it has no triangle where its mesh cannot be used.
     pub read: ReadBody,
-    /// What is wrong.
+    /// The mistakes.
     pub errors: Vec<Diagnostic>,
     /// The names of the side file whose values cannot be read.
     pub unread: Unread,

@@ -11,7 +11,7 @@ use toml::de::DeValue;
 
 /// Most rows of one curve.
 const MAX_ROWS: usize = 10_000;
-/// What a curve is of.
+/// The quantities of a curve.
 pub struct Kind {
     /// Its key in the table `curve`.
     pub key: &'static str,
@@ -19,7 +19,7 @@ pub struct Kind {
     name: &'static str,
     /// Units of both columns.
     pub units: [Unit; 2],
-    /// What the columns are.
+    /// Names of both columns.
     pub columns: [&'static str; 2],
     /// Units in which findings show both columns, with their factors from SI.
     shown: [(&'static str, f64); 2],

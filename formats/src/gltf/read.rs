@@ -101,7 +101,7 @@ fn document(sound: &Sound<'_>) -> Result<Garment, ReadError> {
     super::document::read(text.get()).map_err(ReadError::Document)
 }
 
-/// What an editor may do.
+/// The remedy for an edit that did more than move vertices.
 const MOVE_ONLY: &str = "an edit moves vertices, and does not cut, subdivide or remesh. To shorten a hem, move its rows of \
                          vertices up, or cut a band off with the stage `alter`";
 

@@ -397,7 +397,7 @@ fn held(d: &Dresser<'_>, pieces: &[Piece], turns: &[f64]) -> Vec<Held> {
     held
 }
 
-/// Distance within which a point of the mesh's outline lies on the drawn line, m.
+/// Distance within which a point of the mesh, or of a part, lies on a drawn edge, m.
 const ON_EDGE: f64 = 0.002;
 
 /// The points of an edge of the outline, in order.

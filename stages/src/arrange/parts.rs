@@ -2,15 +2,12 @@
 //! all of them: parts start where the whole piece would.
 
 use super::pull::GAP;
-use super::{Arrangement, Given, Held, arrange, distance};
+use super::{Arrangement, Given, Held, ON_EDGE, arrange, distance};
 use crate::roles::outline::{Polygon, turned};
 use crate::roles::{Join, roles};
 use toile_garment::body::Body;
 use toile_garment::outline::{LinePoint, PieceLine};
 use toile_garment::{Piece, PieceId, Vec2};
-
-/// Distance within which a point of a part lies on an edge of the whole piece, m.
-const ON_EDGE: f64 = 0.002;
 
 /// A piece that was cut apart: its name, and its parts.
 #[derive(Clone, Debug)]

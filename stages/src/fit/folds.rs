@@ -1,8 +1,9 @@
 //! Folds of a free edge: the hollows between its outline and the taut line around it.
 
 use super::{Hem, Surface};
+use crate::body::section::hull;
 use std::collections::BTreeMap;
-use toile_garment::Vec3;
+use toile_garment::{Vec2, Vec3};
 
 /// A hollow that is less deep is no fold, m: a tenth of a deep one, and more than an edge of a mesh cuts off.
 const LEAST_DEPTH: f64 = 5e-3;
@@ -36,48 +37,27 @@ fn ring(surface: &Surface, hem: &Hem) -> Option<Vec<Vec3>> {
 }
 
 /// A ring seen along the axis around which it runs.
-fn flattened(ring: &[Vec3]) -> Vec<[f64; 2]> {
+fn flattened(ring: &[Vec3]) -> Vec<Vec2> {
     let around = |k: usize| ring[k].cross(&ring[(k + 1) % ring.len()]);
     let axis = (0..ring.len()).map(around).sum::<Vec3>().try_normalize(0.0).unwrap_or_else(Vec3::y);
     let side = if axis.x.abs() < 0.7 { Vec3::x() } else { Vec3::z() };
     let u = (side - axis * axis.dot(&side)).normalize();
     let v = axis.cross(&u);
-    ring.iter().map(|p| [p.dot(&u), p.dot(&v)]).collect()
-}
-
-fn turn([a, b, c]: [[f64; 2]; 3]) -> f64 {
-    (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
+    ring.iter().map(|p| Vec2::new(p.dot(&u), p.dot(&v))).collect()
 }
 
 /// Numbers of the corners of the taut line around some places, in the order of the places.
-fn taut(flat: &[[f64; 2]]) -> Vec<usize> {
-    let mut order: Vec<usize> = (0..flat.len()).collect();
-    order.sort_by(|a, b| flat[*a][0].total_cmp(&flat[*b][0]).then(flat[*a][1].total_cmp(&flat[*b][1])));
-    let half = |order: &mut dyn Iterator<Item = usize>| {
-        let mut line: Vec<usize> = Vec::new();
-        for k in order {
-            while let [.., a, b] = line[..]
-                && turn([flat[a], flat[b], flat[k]]) <= 0.0
-            {
-                line.pop();
-            }
-            line.push(k);
-        }
-        line.pop();
-        line
-    };
-    let mut all = half(&mut order.iter().copied());
-    all.extend(half(&mut order.iter().rev().copied()));
-    all.sort_unstable();
-    all
+fn taut(flat: &[Vec2]) -> Vec<usize> {
+    let corners = hull(flat.to_vec());
+    (0..flat.len()).filter(|k| corners.contains(&flat[*k])).collect()
 }
 
 /// Depth of the outline between two corners of the taut line that follow each other.
-fn hollow(flat: &[[f64; 2]], from: usize, to: usize) -> f64 {
-    let (a, b) = (flat[from], flat[to]);
-    let length = libm::hypot(b[0] - a[0], b[1] - a[1]).max(f64::MIN_POSITIVE);
+fn hollow(flat: &[Vec2], from: usize, to: usize) -> f64 {
+    let along = flat[to] - flat[from];
+    let length = libm::hypot(along.y, along.x).max(f64::MIN_POSITIVE);
     let between = (1..flat.len()).map(|step| (from + step) % flat.len()).take_while(|k| *k != to);
-    between.map(|k| turn([a, b, flat[k]]).abs() / length).fold(0.0, f64::max)
+    between.map(|k| along.perp(&(flat[k] - flat[from])).abs() / length).fold(0.0, f64::max)
 }
 
 #[cfg(test)]

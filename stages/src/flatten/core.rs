@@ -17,7 +17,8 @@ use toile_garment::flat::{Flat, FlatMetric, FlatPiece};
 use toile_garment::{Garment, MeshVertex, Report, Vec2};
 use toile_stage_api::StageError;
 
-/// No edit makes a garment larger or smaller than so many times. An editor with another unit does.
+/// No edit makes a garment larger or smaller than so many times, and an editor with another unit does. The smallest such
+/// factor is 10.
 const SCALE_MOST: f64 = 4.0;
 /// Largest change of length of a grain line that lies on the cloth. Edits stretch a piece less.
 const GRAIN_LENGTH_CHANGE: f64 = 0.5;

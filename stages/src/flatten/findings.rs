@@ -8,7 +8,7 @@ use toile_garment::mesh::PieceMesh;
 use toile_garment::seam::Seam;
 use toile_garment::{Diagnostic, Garment, Piece, Report, Vec2};
 
-/// Mean strain up to which a piece is eased in without a change.
+/// Mean strain up to which a piece is eased in without a change. It was chosen: a skirt widened by 8 mm a side has 0.1 %.
 const EASED_IN: f64 = 2e-3;
 
 /// Which lengths were asked for, and what that proves.

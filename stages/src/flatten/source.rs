@@ -50,15 +50,14 @@ pub fn is_mirrored(sources: &[Source<'_>]) -> bool {
 
 /// How many times as large an edit made the shape.
 pub fn scale(sources: &[Source<'_>]) -> f64 {
-    let size = |places: &dyn Fn(&Source<'_>) -> Vec<Vec3>| {
-        let sides = sources.iter().flat_map(|s| {
-            let at = places(s);
-            s.mesh.triangles.iter().map(move |t| (at[t[1] as usize] - at[t[0] as usize]).norm()).collect::<Vec<_>>()
-        });
-        sides.sum::<f64>()
-    };
-    let before = size(&|s| s.before.to_vec());
-    if before > 0.0 { size(&|s| s.surface.to_vec()) / before } else { 1.0 }
+    let side = |at: &[Vec3], t: &[u32; 3]| (at[t[1] as usize] - at[t[0] as usize]).norm();
+    let (mut before, mut now) = (0.0, 0.0);
+    for s in sources {
+        for t in &s.mesh.triangles {
+            (before, now) = (before + side(s.before, t), now + side(s.surface, t));
+        }
+    }
+    if before > 0.0 { now / before } else { 1.0 }
 }
 
 /// The pieces of a garment that can be flattened.

@@ -16,7 +16,7 @@ use toile_stage_api::StageError;
 const SEWABLE: f64 = 1e-3;
 /// Legs of a dart whose difference changed by less can be sewn without a change, metres.
 const LEGS: f64 = 0.5e-3;
-/// Strain that no cloth is eased by.
+/// Strain that no cloth is eased by. It was chosen: a hem that was folded up in 3D shows 200 %, a widened hip 2 %.
 const STRAIN: f64 = 0.5;
 /// A notch lies this near to the sewn line, metres. On a cut line it lies off it by the allowance.
 const NOTCH_NEAR: f64 = 30e-3;

@@ -45,6 +45,13 @@ pub struct Joint {
     pub is_notched: bool,
 }
 
+impl Joint {
+    /// Is it a corner of the outline?
+    pub fn is_corner(&self) -> bool {
+        self.mark == Mark::Corner
+    }
+}
+
 /// A stretch of outline that is sewn as a whole.
 #[derive(Clone, Debug)]
 pub struct Atom {

@@ -3,7 +3,7 @@
 //! A garment is usually the same on both sides, so a seam on one side tells the seam on the other. Pieces are compared
 //! as rings of atoms. A piece is the mirror image of another one, or of itself about an axis.
 
-use super::atoms::{Layout, Mark, Panel};
+use super::atoms::{Layout, Panel};
 use super::profile::heading;
 use super::tuning;
 use crate::sewing::ring::{arcs, nearest_on};
@@ -79,7 +79,7 @@ impl Reflection {
 fn corners(layout: &Layout, panel: &Panel) -> Vec<Vec2> {
     let clear = |a: &usize| {
         let joint = layout.atoms[*a].joint;
-        joint.mark == Mark::Corner && (joint.angle - std::f64::consts::PI).abs() > tuning::CLEAR_CORNER
+        joint.is_corner() && (joint.angle - std::f64::consts::PI).abs() > tuning::CLEAR_CORNER
     };
     panel.atoms.clone().filter(clear).map(|a| layout.atoms[a].points[0]).collect()
 }

@@ -3,7 +3,7 @@
 //! A yoke and the back below it make one edge together, and the front beside them has no mark where they meet. So the
 //! search could sew the front to one of them only.
 
-use super::atoms::{Layout, Mark};
+use super::atoms::{Joint, Layout};
 use super::profile::{apart, reversed};
 use super::tuning;
 use std::f64::consts::PI;
@@ -22,9 +22,8 @@ pub fn missing_marks(layout: &Layout) -> Vec<(usize, f64)> {
 /// the first one ends? No other edge is as long as they are, but for their mirror images.
 fn is_flat(layout: &Layout, a: usize, b: usize) -> bool {
     let (x, y) = (&layout.atoms[a], &layout.atoms[b]);
-    let is_corner = |joint: super::atoms::Joint| joint.mark == Mark::Corner;
     let ends = [x.joint, layout.end_joint(a), y.joint, layout.end_joint(b)];
-    let is_whole = x.panel != y.panel && ends.into_iter().all(is_corner);
+    let is_whole = x.panel != y.panel && ends.iter().all(Joint::is_corner);
     let is_even = |l: f64| libm::log(l / x.length).abs() < tuning::EXACTLY;
     let angle = layout.end_joint(a).angle + y.joint.angle;
     is_whole
@@ -37,8 +36,7 @@ fn is_flat(layout: &Layout, a: usize, b: usize) -> bool {
 /// Is an edge the short side of a strip such as a yoke?
 fn is_strip(layout: &Layout, a: usize) -> bool {
     let atom = &layout.atoms[a];
-    let is_corner = |joint: super::atoms::Joint| joint.mark == Mark::Corner;
-    is_corner(atom.joint) && is_corner(layout.end_joint(a)) && tuning::STRIP.contains(&atom.length)
+    atom.joint.is_corner() && layout.end_joint(a).is_corner() && tuning::STRIP.contains(&atom.length)
 }
 
 /// Is a panel one of two others, or a copy of one?
@@ -55,9 +53,8 @@ fn opposite(layout: &Layout, a: usize, b: usize) -> Option<(usize, f64)> {
     let own = [first.panel, second.panel];
     let is_other = |panel: usize| !is_copy(layout, panel, own);
     // The strip reaches a corner of the other side, which runs up like the strip.
-    let is_corner = |joint: super::atoms::Joint| joint.mark == Mark::Corner;
-    let begins = |k: usize| is_strip(layout, atoms[a].next) && is_corner(atoms[k].joint);
-    let ends = |k: usize| is_strip(layout, atoms[b].before) && is_corner(layout.end_joint(k));
+    let begins = |k: usize| is_strip(layout, atoms[a].next) && atoms[k].joint.is_corner();
+    let ends = |k: usize| is_strip(layout, atoms[b].before) && layout.end_joint(k).is_corner();
     let is_beside = |k: usize| !atoms[k].is_across() && (begins(k) || ends(k));
     let is_long = |k: usize| (atoms[k].length - both).abs() < tuning::SIDE_BY_SIDE;
     let fits = |k: &usize| is_other(atoms[*k].panel) && is_beside(*k) && is_long(*k);

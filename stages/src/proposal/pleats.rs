@@ -4,7 +4,7 @@
 //! is longer than a whole edge of another piece by just what lies between such notches, as the back of a shirt is longer
 //! than its yoke, and the end of a sleeve longer than its cuff.
 
-use super::atoms::{Atom, Joint, Layout, Mark};
+use super::atoms::{Atom, Layout, Mark};
 use super::layout::drawn;
 use super::mirror::is_own_image;
 use super::profile::{bow, profile};
@@ -128,8 +128,7 @@ impl Side {
         }
         // A stretch between marks that is as long as one of another piece is sewn to it.
         let is_sewn = |width: f64| {
-            let is_mark = |joint: Joint| joint.mark != Mark::Corner;
-            let is_marked = |a: &Atom| is_mark(a.joint) && is_mark(layout.atoms[a.next].joint);
+            let is_marked = |a: &Atom| !a.joint.is_corner() && !layout.atoms[a.next].joint.is_corner();
             let is_even = |a: &Atom| is_marked(a) && (a.length - width).abs() < weights.exact;
             let mut others =
                 layout.atoms.iter().filter(|a| (length(a.panel) / length(self.panel) - 1.0).abs() > tuning::SAME_PIECE);

@@ -632,7 +632,7 @@ impl Default for SleeveWeights {
     }
 }
 
-/// Limits for pleats that notches tell. They were chosen; a shirt and a skirt that were drawn for the trial need them.
+/// Limits for pleats that notches tell. They were chosen by one drawn shirt and one drawn skirt.
 #[derive(Clone, Debug)]
 pub struct PleatWeights {
     /// Width between the notches of one pleat (metres). Double notches stand nearer, and tucks of cuffs take 15 mm.
@@ -671,7 +671,7 @@ impl Default for PleatWeights {
     }
 }
 
-/// Limits for fronts that are closed by buttons. They were chosen; a shirt that was drawn for the trial needs them.
+/// Limits for fronts that are closed by buttons. They were chosen by one drawn shirt.
 #[derive(Clone, Debug)]
 pub struct ButtonWeights {
     /// Buttons at least.

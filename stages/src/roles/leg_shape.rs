@@ -3,6 +3,8 @@
 use super::outline::Polygon;
 use toile_garment::Vec2;
 
+// The limits were chosen by a few drawn trousers, and by bodices and skirts that must not count as legs.
+
 /// Height of the crotch over that of the piece.
 const CROTCH: std::ops::Range<f64> = 0.4..0.92;
 /// The crotch juts out beyond the waist by more, and beyond the hem, as shares of the width.

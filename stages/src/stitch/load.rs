@@ -36,10 +36,10 @@ fn fabrics(params: &StitchParams, garment: &mut Garment, errors: &mut Errors, cx
     let is_known = |key: &str| materials.contains(key) || garment.pieces.iter().any(|p| p.name == key);
     let unused = params.fabrics.keys().filter(|key| !garment.pieces.is_empty() && !is_known(key));
     let names: Vec<&str> = garment.pieces.iter().map(|p| p.name.as_str()).collect();
-    cx.report.findings.extend(unused.map(|key| no_such_material(key, &materials, &names)));
+    cx.report.findings.extend(unused.map(|key| unused_fabric(key, &materials, &names)));
 }
 
-fn no_such_material(key: &str, materials: &BTreeSet<&str>, pieces: &[&str]) -> Diagnostic {
+fn unused_fabric(key: &str, materials: &BTreeSet<&str>, pieces: &[&str]) -> Diagnostic {
     let message = format!("with.fabrics names `{key}`, which is neither a material nor a piece of the pattern");
     let materials = materials.iter().map(|m| format!("`{m}`")).collect::<Vec<_>>().join(", ");
     let near = crate::sewing::lookup::nearest(key, pieces);
@@ -105,7 +105,7 @@ mod tests {
             garment.fabric_of(&piece).map(|f| f.areal_mass)
         };
         assert_eq!([give("", 0.1), give("lining", 0.2), give("YOKE", 0.3)], [Some(0.1), Some(0.2), Some(0.3)]);
-        let told = no_such_material("YOK", &BTreeSet::new(), &["YOKE"]);
+        let told = unused_fabric("YOK", &BTreeSet::new(), &["YOKE"]);
         assert!(told.hint.as_deref().is_some_and(|h| h.contains("YOKE")), "{told:?}");
     }
 }
