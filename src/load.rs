@@ -13,6 +13,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use toile_garment::{Diagnostic, Report, SourceRef};
 use toile_stage_api::{FileError, Meaning, Registry};
+use toile_stages::text::text;
 
 /// Which pipeline, and what it may do.
 #[derive(Clone, Debug, Default)]
@@ -80,8 +81,8 @@ pub fn reload<'r>(request: &Request, registry: &'r Registry) -> Loaded<'r> {
     }
 }
 
-/// Reads a file that a person writes; `what` names its kind. What is wrong goes to the report.
-pub(crate) fn read_text(path: &Path, what: &str, report: &mut Report) -> Option<SourceText> {
+/// Reads a file that a person writes. What is wrong goes to the report.
+pub(crate) fn read_text(path: &Path, report: &mut Report) -> Option<SourceText> {
     let name = clean(path);
     let at = || SourceRef::file(name.clone());
     let bytes = match read_limited(path, path, MAX_BYTES) {
@@ -91,11 +92,10 @@ pub(crate) fn read_text(path: &Path, what: &str, report: &mut Report) -> Option<
             return None;
         }
     };
-    match String::from_utf8(bytes) {
+    match text(&name, &bytes) {
         Ok(text) => Some(SourceText::new(name, text, Vec::new())),
-        Err(_) => {
-            let finding = Diagnostic::error(codes::NOT_TEXT, format!("the {what} is no UTF-8 text"));
-            report.push(finding.at(at()).hint("save it as UTF-8"));
+        Err(finding) => {
+            report.push(finding);
             None
         }
     }
@@ -109,10 +109,7 @@ fn open(request: &Request) -> Result<SourceText, Vec<Diagnostic>> {
     }
     let bytes = read_limited(&request.file, &request.file, MAX_BYTES)
         .map_err(|e| crate::engine::of_file_error(&e).0.into_iter().flat_map(&at).collect::<Vec<_>>())?;
-    let text = String::from_utf8(bytes).map_err(|e| {
-        let message = format!("the pipeline is no UTF-8 text: byte {} is wrong", e.utf8_error().valid_up_to());
-        at(Diagnostic::error(codes::NOT_TEXT, message).hint("save it as UTF-8"))
-    })?;
+    let text = text(&name, &bytes).map_err(|finding| vec![finding])?;
     Ok(SourceText::new(name, text, request.set.clone()))
 }
 

@@ -27,8 +27,11 @@
 
 use crate::toml_text::TomlText;
 use serde::Deserialize;
+use serde_spanned::Spanned;
+use std::borrow::Cow;
 use toile_garment::units::Length;
-use toile_garment::{Code, Diagnostic};
+use toile_garment::{Code, Diagnostic, SourceRef};
+use toml::de::{DeValue, ValueDeserializer};
 
 codes! {
     pub(crate) list CODES;
@@ -64,7 +67,11 @@ pub enum Method {
 
 /// An end of a measure.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
-#[serde(untagged)]
+#[serde(
+    untagged,
+    deny_unknown_fields,
+    expecting = "an end is a landmark, as `\"neck-back\"`, or `{ edge = \"BACK.0\", share = 0.5 }`, or `{ height = \"1 m\" }`"
+)]
 pub enum End {
     /// A landmark of the body.
     Landmark(String),
@@ -120,58 +127,99 @@ pub struct PointOfMeasure {
     /// How far it may be off, both ways.
     #[serde(default)]
     pub tolerance: Option<Length>,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct File {
-    #[serde(default)]
-    measure: Vec<PointOfMeasure>,
+    /// Where its table stands.
+    #[serde(skip)]
+    pub place: Option<SourceRef>,
 }
 
 /// Reads a file of points of measure. `file` is its name for messages.
 ///
 /// # Errors
-/// What is wrong, with line and column.
+/// All that is wrong, each with line and column.
 pub fn read(text: &str, file: &str) -> Result<Vec<PointOfMeasure>, Vec<Diagnostic>> {
     let toml = TomlText::new(text, file);
-    toml.parse(MEASURES_FILE)?;
-    let found: File = toml::from_str(text).map_err(|e| {
-        let message = e.message().lines().collect::<Vec<_>>().join("; ");
-        let place = e.span().map_or_else(|| toml.whole(), |s| toml.at(s.start));
-        vec![Diagnostic::error(MEASURES_FILE, message).at(place)]
-    })?;
-    let wrong: Vec<Diagnostic> = found
-        .measure
-        .iter()
-        .filter_map(|m| mistake(m).map(|why| (m, why)))
-        .map(|(m, why)| {
-            let finding = Diagnostic::error(MEASURES_FILE, format!("the measure `{}` {why}", m.name)).at(toml.whole());
-            finding.hint("give `edges`, or `around` with `at` or `height`, or `from` and `to`")
-        })
-        .collect();
-    if wrong.is_empty() { Ok(found.measure) } else { Err(wrong) }
+    let (mut found, mut wrong) = (Vec::<PointOfMeasure>::new(), Vec::new());
+    for (key, value) in toml.parse(MEASURES_FILE)?.into_inner() {
+        let DeValue::Array(tables) = value.into_inner() else {
+            wrong.push(not_known(&key, &toml));
+            continue;
+        };
+        if key.get_ref() != "measure" {
+            wrong.push(not_known(&key, &toml));
+            continue;
+        }
+        for table in tables {
+            match measure(table, &toml) {
+                Ok(measure) if found.iter().any(|m| m.name == measure.name) => {
+                    let message = format!("two measures have the name `{}`", measure.name);
+                    wrong.extend(measure.place.map(|at| Diagnostic::error(MEASURES_FILE, message).at(at)));
+                }
+                Ok(measure) => found.push(measure),
+                Err(finding) => wrong.push(finding),
+            }
+        }
+    }
+    if wrong.is_empty() { Ok(found) } else { Err(wrong) }
 }
 
-/// The reason why a measure is none.
-fn mistake(m: &PointOfMeasure) -> Option<&'static str> {
-    let ways = [!m.edges.is_empty(), m.around.is_some(), m.from.is_some() || m.to.is_some()];
-    if m.name.trim().is_empty() {
-        return Some("has no name");
+fn not_known(key: &Spanned<Cow<'_, str>>, toml: &TomlText<'_>) -> Diagnostic {
+    let message = format!("`{}` is no list of measures", key.get_ref());
+    Diagnostic::error(MEASURES_FILE, message).at(toml.place(key)).hint("write each measure below `[[measure]]`")
+}
+
+/// One table of the file.
+fn measure(table: Spanned<DeValue<'_>>, toml: &TomlText<'_>) -> Result<PointOfMeasure, Diagnostic> {
+    let at = toml.place(&table);
+    let mut measure = PointOfMeasure::deserialize(ValueDeserializer::from(table)).map_err(|e| {
+        let message = e.message().lines().collect::<Vec<_>>().join("; ");
+        Diagnostic::error(MEASURES_FILE, message).at(e.span().map_or_else(|| at.clone(), |s| toml.at(s.start)))
+    })?;
+    if let Some((why, remedy)) = mistake(&measure) {
+        let finding = Diagnostic::error(MEASURES_FILE, format!("the measure `{}` {why}", measure.name));
+        return Err(finding.at(at).hint(remedy));
     }
-    if ways.iter().filter(|w| **w).count() != 1 {
-        return Some("does not tell in one way what is measured");
-    }
-    if ways[1] && m.at.is_some() == m.height.is_some() {
-        return Some("goes around the body at no height, or at two");
-    }
-    if ways[2] && (m.from.is_none() || m.to.is_none()) {
-        return Some("has one end only");
-    }
-    if ways[0] && m.on == On::Body {
-        return Some("names edges, and the body has none");
-    }
-    (m.tolerance.is_some() && m.expected.is_none()).then_some("has a tolerance about no expected length")
+    measure.place = Some(at);
+    Ok(measure)
+}
+
+/// The reason why a measure is none, and its remedy.
+fn mistake(m: &PointOfMeasure) -> Option<(&'static str, &'static str)> {
+    let [edges, girth, way] = [!m.edges.is_empty(), m.around.is_some(), m.from.is_some() || m.to.is_some()];
+    let has_height = m.at.is_some() || m.height.is_some() || m.below.is_some();
+    let is_outside = |end: &Option<End>| matches!(end, Some(End::Edge { share, .. }) if !(0.0..=1.0).contains(share));
+    let wrong = [
+        (m.name.trim().is_empty(), "has no name", "write `name = \"hem\"`"),
+        (
+            u8::from(edges) + u8::from(girth) + u8::from(way) != 1,
+            "does not tell in one way what is measured",
+            "give `edges`, or `around` with `at` or `height`, or `from` and `to`",
+        ),
+        (
+            girth && m.at.is_some() == m.height.is_some(),
+            "goes around the body at no height, or at two",
+            "give `at`, a landmark, or `height`",
+        ),
+        (!girth && has_height, "has a height and no girth", "`at`, `height` and `below` stand beside `around`"),
+        (way && (m.from.is_none() || m.to.is_none()), "has one end only", "give `from` and `to`"),
+        (edges && m.on == On::Body, "names edges, and the body has none", "measure it on the pattern or the drape"),
+        (
+            m.method == Method::Tape && (edges || m.on == On::Pattern),
+            "is taken with a tape, and a tape goes around worn cloth or the body",
+            "leave out `method`, or measure a girth or a way on the drape",
+        ),
+        (is_outside(&m.from) || is_outside(&m.to), "ends outside its edge", "a `share` is 0 to 1"),
+        (
+            m.tolerance.is_some() && m.expected.is_none(),
+            "has a tolerance about no expected length",
+            "give `expected` too, or leave out `tolerance`",
+        ),
+        (
+            m.tolerance.is_some_and(|t| t.0 < 0.0) || m.expected.is_some_and(|l| l.0 < 0.0),
+            "expects a length below 0, or has a tolerance below 0",
+            "write lengths from 0",
+        ),
+    ];
+    wrong.into_iter().find(|(is_wrong, ..)| *is_wrong).map(|(_, why, remedy)| (why, remedy))
 }
 
 #[cfg(test)]
@@ -193,9 +241,19 @@ mod tests {
             ("\"1 m\"", "1", "1"),
             ("expected = \"1 m\"", "tolerance = \"1 mm\"", "tolerance"),
             ("\"hem\"", "\" \"", "no name"),
+            ("\"back\"", "\"hem\"", "two measures"),
+            ("edges =", "below = \"1 mm\"\nedges =", "no girth"),
+            ("edges =", "method = \"tape\"\nedges =", "tape"),
+            ("\"neck-back\"", "{ edge = \"BACK.0\", share = 1.5 }", "outside its edge"),
+            ("\"neck-back\"", "{ edge = \"BACK.0\", share = 0.5, at = 1 }", "an end is"),
+            ("expected = \"1 m\"", "expected = \"-1 m\"", "below 0"),
+            ("[[measure]]", "colour = 1\n[[measure]]", "`colour`"),
         ] {
             let found = read(&text.replacen(from, to, 1), "m.toml").expect_err(from);
-            assert!(found[0].message.contains(word) && found[0].source.is_some(), "{from}: {found:?}");
+            let line = found[0].source.as_ref().and_then(|at| at.line);
+            assert!(found[0].message.contains(word) && line.is_some(), "{from}: {found:?}");
         }
+        let two = text.replacen("\"hem\"", "\" \"", 1).replace("method =", "methods =");
+        assert_eq!(read(&two, "m.toml").expect_err("two mistakes").len(), 2);
     }
 }

@@ -49,7 +49,7 @@ pub struct TestFile {
 
 /// Reads a file of golden cases. All mistakes go to the report; `None` if it cannot be read at all.
 pub fn open(path: &Path, report: &mut Report) -> Option<TestFile> {
-    let source = read_text(path, "file of cases", report)?;
+    let source = read_text(path, report)?;
     let folder = path.parent().unwrap_or(Path::new("")).to_path_buf();
     let cases = document::parse(&source, &folder, report).unwrap_or_default();
     Some(TestFile { path: path.to_path_buf(), source, folder, cases })

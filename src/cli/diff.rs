@@ -78,7 +78,8 @@ fn results(args: &DiffArgs, tolerance: &Tolerance, console: &mut Console<'_>) ->
 
 fn tolerance(path: &Path) -> Result<Tolerance, Vec<Diagnostic>> {
     let bytes = read_limited(path, path, MAX_TOLERANCE).map_err(|e| of_file_error(&e).0)?;
-    read_tolerance(&String::from_utf8_lossy(&bytes)).map_err(|why| {
+    let text = toile_stages::text::text(&clean(path), &bytes).map_err(|finding| vec![finding])?;
+    read_tolerance(&text).map_err(|why| {
         let finding = Diagnostic::error(WRONG_VALUE, why.trim_end().to_owned()).at(SourceRef::file(clean(path)));
         vec![finding.hint("write e.g. darts = \"2 mm\", strain = 0.01 or inputs = \"same\"")]
     })

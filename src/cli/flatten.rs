@@ -102,7 +102,7 @@ fn parameters(args: &FlattenArgs) -> Result<String, StageError> {
         let bytes = read_limited(path, path, MAX_INPUT).map_err(StageError::File)?;
         let wrong =
             |e: String| StageError::parameter(Diagnostic::error(UNKNOWN_KEY, e).at(SourceRef::file(clean(path))));
-        let text = String::from_utf8(bytes).map_err(|e| wrong(e.to_string()))?;
+        let text = toile_stages::text::text(&clean(path), &bytes).map_err(StageError::input)?;
         let table: toml::Table = toml::from_str(&text).map_err(|e| wrong(e.message().to_owned()))?;
         parts.push(format!("tolerance = {}", toml::Value::Table(table)));
     }

@@ -74,7 +74,7 @@ pub struct Opened {
 #[must_use]
 pub fn open(path: &Path) -> Opened {
     let mut report = Report::default();
-    let line = read_text(path, "line", &mut report).and_then(|source| {
+    let line = read_text(path, &mut report).and_then(|source| {
         let file = document::parse(&source, &mut report)?;
         let jobs = expand(&file, &source, &mut report);
         let folder = path.parent().unwrap_or(Path::new("")).to_path_buf();

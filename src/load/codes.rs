@@ -21,9 +21,6 @@ codes! {
     /// word. An accuracy promises nothing then. Leave out one of both.
     CHOICE_OVERRULED = "choice-overruled";
 
-    /// The file is not UTF-8 text. Save it as UTF-8.
-    NOT_TEXT = "not-text";
-
     /// `--repeats` was given for a chain in which no stage can be repeated. Exit code 2.
     REPEATS_NO_STAGE = "repeats-no-stage";
 

@@ -77,7 +77,7 @@ impl Earlier {
         }
         let bytes =
             read_limited(&path, &path, MAX_INPUT).map_err(|e| of_file_error(&e).0.into_iter().collect::<Vec<_>>())?;
-        let text = String::from_utf8_lossy(&bytes).into_owned();
+        let text = toile_stages::text::text("sewing.toml", &bytes).map_err(|finding| vec![finding])?;
         let plan = toile_formats::sewing::read(&text, "sewing.toml")?;
         let proposal = folder.join("proposal.json");
         let json = read_limited(&proposal, &proposal, MAX_INPUT).ok();

@@ -14,7 +14,8 @@ use toile_stage_api::{Cost, Errors, Forecast, Knob, Meaning, Stage, StageContext
 codes! {
     pub(crate) list CODES;
 
-    /// A point of measure cannot be taken on this garment. The message says what is not there; correct its names.
+    /// A point of measure cannot be taken on this garment. The message says what is not there; correct its names. A name
+    /// that pattern or body does not have is an error before any work; a line that the cloth does not reach is a warning.
     MEASURE_MISSING = "measure-missing";
 
     /// A point of measure is further off than its tolerance. Change the pattern, or the length that is expected.
@@ -104,8 +105,9 @@ impl Stage for ExportReport {
         cx: &mut StageContext<'_>,
     ) -> Result<Option<Cost>, StageError> {
         let mut errors = Errors::default();
-        errors.keep(asked(params, cx));
-        errors.keep(params.study.iter().try_for_each(|file| cx.files.read(file).map(drop)));
+        let points = errors.keep(asked(params, cx)).unwrap_or_default();
+        errors.parameters(unknown_names(&points, forecast));
+        errors.keep(study_text(params, cx));
         errors.finish()?;
         let body = forecast.body_thousands();
         let cost = forecast.by_triangles(0.6 + 0.024 * body, 0.03, 4.0);
@@ -146,16 +148,36 @@ fn asked(params: &ExportReportParams, cx: &mut StageContext<'_>) -> Result<Vec<P
     measures::read(&utf8(file, &bytes)?, &file.to_string_lossy()).map_err(StageError::Input)
 }
 
+/// Names of points of measure that pattern and body do not have.
+fn unknown_names(points: &[PointOfMeasure], forecast: &Forecast) -> Vec<Diagnostic> {
+    let of_point = |m: &PointOfMeasure| {
+        let finding = |(why, remedy)| {
+            let message = format!("the measure `{}`: {why}", m.name);
+            Diagnostic::error(MEASURE_MISSING, message).at(m.place.clone()).hint(remedy)
+        };
+        fit::unknown_names(m, &forecast.garment, &forecast.unread).into_iter().map(finding).collect::<Vec<_>>()
+    };
+    points.iter().flat_map(of_point).collect()
+}
+
+/// The text of the study that is named.
+fn study_text(params: &ExportReportParams, cx: &mut StageContext<'_>) -> Result<Option<String>, StageError> {
+    let Some(file) = &params.study else { return Ok(None) };
+    let bytes = cx.files.read(file)?;
+    utf8(file, &bytes).map(Some)
+}
+
 /// The study that is to be shown, where it is of this garment.
 fn accuracy(
     params: &ExportReportParams,
     garment: &Garment,
     cx: &mut StageContext<'_>,
 ) -> Result<Option<Accuracy>, StageError> {
-    let Some(file) = params.study.as_ref().filter(|_| garment.certificate.is_some()) else { return Ok(None) };
-    let bytes = cx.files.read(file)?;
-    let study = Accuracy::read(&String::from_utf8_lossy(&bytes));
-    let why = match study {
+    if garment.certificate.is_none() {
+        return Ok(None);
+    }
+    let Some((text, file)) = study_text(params, cx)?.zip(params.study.as_ref()) else { return Ok(None) };
+    let why = match Accuracy::read(&text) {
         Err(why) => why,
         Ok(study) => match study.made_of.changed(garment) {
             None => return Ok(Some(study)),

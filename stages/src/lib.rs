@@ -40,7 +40,7 @@ mod solve;
 pub mod stitch;
 #[cfg(test)]
 mod testing;
-mod text;
+pub mod text;
 pub mod texture;
 pub mod transfer;
 pub mod triangulate;

@@ -49,10 +49,27 @@ with.file = \"{out}/plot.pdf\"
 use = \"export-picture\"
 [[stage]]
 use = \"export-report\"
+with.measures = \"measures.toml\"
+";
+
+const MEASURES: &str = "[[measure]]
+name = \"hem\"
+on = \"pattern\"
+edges = [\"FRONT.0\", \"BACK.0\"]
+[[measure]]
+name = \"waist\"
+on = \"drape\"
+around = \"torso\"
+at = \"waist-front\"
+[[measure]]
+name = \"back length\"
+on = \"body\"
+from = \"neck-back\"
+to = \"waist-back\"
 ";
 
 /// Mistakes that do not touch each other, in the order of the way of the data.
-const MISTAKES: [Mistake; 46] = [
+const MISTAKES: [Mistake; 49] = [
     set("size-not-found", "import-dxf.size=39"),
     set("piece-not-found", "import-dxf.pieces=[\"FRNT\"]"),
     set("out-of-range", "import-dxf.gap=\"90 mm\""),
@@ -107,7 +124,10 @@ const MISTAKES: [Mistake; 46] = [
     set("file-missing", "export-print.font=\"none.ttf\""),
     set("out-of-range", "export-print.gap=\"900 mm\""),
     set("out-of-range", "export-picture.width=0"),
-    set("file-missing", "export-report.measures=\"none.toml\""),
+    text("measure-missing", "measures.toml", "BACK.0", "BACK.72"),
+    text("measure-missing", "measures.toml", "torso", "trunk"),
+    text("measure-missing", "measures.toml", "neck-back", "nape"),
+    set("file-missing", "export-report.study=\"none.json\""),
     set("unknown-key", "import-dxf.untis=\"mm\""),
     set("unknown-key", "stitch.claerance=\"2 mm\""),
     set("unknown-input", "import-dxf.units=\"{unit}\""),
@@ -117,6 +137,7 @@ const MISTAKES: [Mistake; 46] = [
 fn errors(mistakes: &[&Mistake]) -> BTreeSet<(String, String)> {
     let bench = Bench::new();
     bench.sample_skirt().sample("bodies/size-38.obj", "body.obj").stages(&format!("{SKIRT_STAGES}{MORE_STAGES}"));
+    bench.file("measures.toml", MEASURES);
     let mut more = Vec::new();
     for mistake in mistakes {
         match mistake.change {
@@ -135,6 +156,11 @@ fn errors(mistakes: &[&Mistake]) -> BTreeSet<(String, String)> {
             }
         }
     }
+    errors_of(&bench, &more).into_iter().collect()
+}
+
+/// Code and message of all errors of `check`.
+fn errors_of(bench: &Bench, more: &[&str]) -> Vec<(String, String)> {
     let arguments = ["check", "--format", "json"].map(Into::into).into_iter();
     let said = command(arguments.chain([bench.pipeline_file().into()]).chain(more.iter().map(Into::into)).collect());
     let value: serde_json::Value = serde_json::from_str(&said.out).expect("JSON");
@@ -173,4 +199,43 @@ fn what_is_set_twice_is_told() {
     let said = bench.findings(&["--set", "import-dxf.size=36", "--set", "import-dxf.size=38"]);
     let codes: Vec<&str> = said.iter().map(|f| f.0.as_str()).filter(|c| *c == "set-twice").collect();
     assert_eq!(codes, ["set-twice"], "{said:?}");
+}
+
+/// Codes of the errors of `check`.
+fn codes(bench: &Bench, more: &[&str]) -> Vec<String> {
+    errors_of(bench, more).into_iter().map(|(code, _)| code).collect()
+}
+
+#[test]
+fn two_mistakes_of_one_stage_are_told() {
+    let bench = Bench::new();
+    let transfer = "[[stage]]\nuse = \"drape\"\n[[stage]]\nuse = \"transfer\"\nwith.body = \"body.obj\"\n";
+    bench.sample_skirt().sample("bodies/size-38.obj", "body.obj").stages(&format!("{SKIRT_STAGES}{transfer}"));
+    assert_eq!(codes(&bench, &[]), [""; 0]);
+    let told = |sets: &[&str]| {
+        let more: Vec<&str> = sets.iter().flat_map(|set| ["--set", set]).collect();
+        codes(&bench, &more)
+    };
+    let all = ["transfer.body=\"none.obj\"", "transfer.from=\"nobody.obj\"", "transfer.add={ knee = \"9 mm\" }"];
+    assert_eq!(told(&all), ["file-missing", "file-missing", "transfer-level"]);
+    let both = ["triangulate.edge_length=\"0 mm\"", "import-dxf.size=39"];
+    assert_eq!(told(&both), ["size-not-found", "edge-length"]);
+}
+
+#[test]
+fn every_text_that_is_no_utf8_is_told_by_its_name() {
+    const FILES: [&str; 6] = [SEWING, "fabric.toml", "body.toml", "measures.toml", "skirt.study.json", "v1.toml"];
+    let bench = Bench::new();
+    bench.sample_skirt().sample("bodies/size-38.obj", "body.obj").stages(&format!("{SKIRT_STAGES}{MORE_STAGES}"));
+    bench.file("measures.toml", MEASURES).file("skirt.study.json", "{}");
+    let study = ["--set", "export-report.study=\"skirt.study.json\""];
+    assert_eq!(codes(&bench, &study), [""; 0]);
+    for name in FILES {
+        let file = bench.path("pipelines/test").join(name);
+        let before = std::fs::read(&file).expect("bytes");
+        std::fs::write(&file, [&before[..], b"\n# caf\xe9\n"].concat()).expect("written");
+        let told = errors_of(&bench, &study);
+        assert!(told.iter().any(|(code, m)| code == "text-not-utf8" && m.contains(name)), "{name}: {told:?}");
+        std::fs::write(&file, before).expect("written");
+    }
 }

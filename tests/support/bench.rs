@@ -79,6 +79,12 @@ impl Bench {
         self.text(&format!("{HEAD}{stages}"))
     }
 
+    /// Writes a file beside the pipeline.
+    pub fn file(&self, name: &str, text: &str) -> &Self {
+        std::fs::write(self.path("pipelines/test").join(name), text).expect("file");
+        self
+    }
+
     pub fn text(&self, text: &str) -> &Self {
         std::fs::write(self.pipeline_file(), text).expect("pipeline");
         self

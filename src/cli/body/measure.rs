@@ -13,6 +13,7 @@ use std::path::{Path, PathBuf};
 use toile_garment::Diagnostic;
 use toile_garment::body::Body;
 use toile_stages::body::{Found, MESH_UNITS, MeshUnit, Stance, impossible, measured};
+use toile_stages::text::text;
 
 /// A mesh and what was found on it.
 struct Taken {
@@ -80,9 +81,10 @@ fn take(args: &BodyMeasureArgs) -> Result<Taken, Vec<Diagnostic>> {
         }
     }
     let bytes = load(&args.mesh)?;
-    let side = args.mesh.with_extension("toml");
-    let side = if side.is_file() { Some(load(&side)?) } else { None };
-    let text = side.as_ref().map(|bytes| String::from_utf8_lossy(bytes).into_owned());
+    let side_path = args.mesh.with_extension("toml");
+    let side = if side_path.is_file() { Some(load(&side_path)?) } else { None };
+    let text =
+        side.as_ref().map(|bytes| text(&clean(&side_path), bytes)).transpose().map_err(|finding| vec![finding])?;
     let read = toile_formats::body::read(&bytes, &args.mesh.to_string_lossy(), text.as_deref())?;
     let unit =
         args.units.and_then(|u| MESH_UNITS.into_iter().find(|m: &MeshUnit| (1e3 * m.metres - u.mm()).abs() < 1e-9));

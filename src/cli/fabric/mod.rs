@@ -17,10 +17,10 @@ use crate::progress::{Teller, Voice};
 use args::{Common, FabricVerb, Test};
 use serde_json::{Value, json};
 use std::sync::Arc;
+use toile_garment::Report;
 use toile_garment::fabric::Fabric;
-use toile_garment::{Diagnostic, Report, SourceRef};
 use toile_stage_api::{StageContext, StageError};
-use toile_stages::codes::TEXT_NOT_UTF8;
+use toile_stages::text::text;
 
 /// The result of a test.
 struct Sheet {
@@ -83,13 +83,9 @@ fn results(common: &Common) -> Results {
 /// The fabric; all that is wrong with its file is said.
 fn read(common: &Common, console: &mut Console<'_>) -> Option<Fabric> {
     let name = clean(&common.fabric);
-    let no_text = |_| {
-        let place = SourceRef::file(name.clone());
-        vec![Diagnostic::error(TEXT_NOT_UTF8, format!("{name} is not UTF-8 text")).at(place)]
-    };
     let bytes = read_limited(&common.fabric, &common.fabric, MAX_INPUT).map_err(|e| of_file_error(&e).0);
-    let text = bytes.and_then(|b| String::from_utf8(b).map_err(no_text));
-    let (text, read) = match text {
+    let content = bytes.and_then(|b| text(&name, &b).map_err(|finding| vec![finding]));
+    let (text, read) = match content {
         Ok(text) => {
             let read = toile_formats::fabric::read(&text, &name);
             (text, read)

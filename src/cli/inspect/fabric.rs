@@ -6,13 +6,14 @@ use toile_formats::fabric;
 use toile_garment::Diagnostic;
 use toile_garment::fabric::Fabric;
 use toile_stages::fabric_check::{self, Figures};
+use toile_stages::text::text;
 
 /// Strains at which the tension curves are told.
 const STRAINS: [f64; 5] = [0.005, 0.01, 0.02, 0.05, 0.1];
 
 /// Facts about a fabric file.
 pub fn inspect(source: &Source<'_>) -> Result<Inspected, Vec<Diagnostic>> {
-    let text = String::from_utf8_lossy(source.bytes);
+    let text = text(source.name, source.bytes).map_err(|finding| vec![finding])?;
     if !is_fabric(&text) {
         return Err(vec![super::no_reader(source.name)]);
     }

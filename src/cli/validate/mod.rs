@@ -13,8 +13,8 @@ use crate::validate::{Captured, Validation, captured, chart, table, validate};
 use args::{ValidateVerb, ValidatedDrapeArgs};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
-use toile_garment::{Diagnostic, SourceRef};
-use toile_stages::codes::TEXT_NOT_UTF8;
+use toile_garment::Diagnostic;
+use toile_stages::text::text;
 
 /// Names of the results.
 const FILES: [&str; 3] = ["validate.json", "validate.svg", "validate.md"];
@@ -71,9 +71,6 @@ fn read(path: &Path) -> Result<(Vec<Captured>, Vec<Diagnostic>), Halt> {
         let (findings, exit) = of_file_error(&e);
         Halt::new(findings, exit)
     })?;
-    let text = String::from_utf8(bytes).map_err(|_| {
-        let finding = Diagnostic::error(TEXT_NOT_UTF8, format!("{name} is not UTF-8 text"));
-        Halt::new(vec![finding.at(SourceRef::file(name.clone()))], Exit::Input)
-    })?;
-    captured(&text, &name).map_err(|findings| Halt::new(findings, Exit::Input))
+    let table = text(&name, &bytes).map_err(|finding| Halt::new(vec![finding], Exit::Input))?;
+    captured(&table, &name).map_err(|findings| Halt::new(findings, Exit::Input))
 }

@@ -1,6 +1,7 @@
 //! A forecast: what a chain will need, told stage by stage before anything works.
 
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeSet;
 use toile_garment::Garment;
 use toile_garment::garment::EffectRecord;
 
@@ -50,6 +51,9 @@ pub struct Forecast {
     /// Are the pieces or their plan not those that were asked for, because something in the files is wrong? What is
     /// asked for is looked at all the same, so that all mistakes are told at once; what follows from the whole is not.
     pub in_doubt: bool,
+    /// Measures, landmarks and segments of the body whose values cannot be read. That is told already, so they count as
+    /// known.
+    pub unread: BTreeSet<String>,
     /// Advice on the work to come, a sentence each: `plan` tells it.
     pub advice: Vec<String>,
     /// Size of the mesh, as soon as a stage can tell it.

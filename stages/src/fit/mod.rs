@@ -24,6 +24,6 @@ pub use girth::{along, tape};
 pub use maps::{ease, maps, strain};
 pub use measures::{cut_in_plane, inside, level_height, measure};
 pub use nearest::Nearest;
-pub use points::point;
+pub use points::{point, unknown_names};
 pub use rings::{Ring, rings};
 pub use surface::{Hem, Surface};

@@ -6,8 +6,11 @@
 use super::rings::rings;
 use super::surface::Surface;
 use crate::body::{hull, sections};
+use crate::sewing::nearest;
+use std::collections::{BTreeMap, BTreeSet};
 use toile_formats::measures::{End, Method, On, PointOfMeasure};
 use toile_formats::report::Point;
+use toile_garment::outline::OutlineEdge;
 use toile_garment::{Garment, Piece, Vec2, Vec3};
 
 /// Measures a point; the error says why it cannot be.
@@ -52,16 +55,54 @@ fn edges(m: &PointOfMeasure, garment: &Garment) -> Result<(f64, f64), String> {
     Ok((length, if m.on == On::Pattern || length <= 0.0 { 0.0 } else { height / length }))
 }
 
+/// A name that is not there: what is wrong, and the remedy.
+type Unknown = (String, String);
+
+/// All names of a measure that neither the pattern nor the body has, and that are not `unread` names of the body. Nothing is
+/// known of a pattern without pieces, nor of a body that is not there.
+pub fn unknown_names(m: &PointOfMeasure, garment: &Garment, unread: &BTreeSet<String>) -> Vec<Unknown> {
+    let ends = [&m.from, &m.to].into_iter().flatten();
+    let of_ends = ends.clone().filter_map(|end| if let End::Edge { edge, .. } = end { Some(edge) } else { None });
+    let edges = m.edges.iter().chain(of_ends).filter(|_| !garment.pieces.is_empty());
+    let wrong_edges = edges.filter_map(|name| named_edge(name, garment).err());
+    let Some(body) = &garment.body else { return wrong_edges.collect() };
+    let of_ends = ends.filter_map(|end| if let End::Landmark(name) = end { Some(name) } else { None });
+    let is_read = |name: &&String| !unread.contains(*name);
+    let landmarks =
+        m.at.iter().chain(of_ends).filter(is_read).filter_map(|name| named(&body.landmarks, name, "landmark").err());
+    let segments = m.around.iter().filter(is_read).filter_map(|name| named(&body.segments, name, "segment").err());
+    wrong_edges.chain(landmarks).chain(segments).collect()
+}
+
+/// A landmark or a segment of the body.
+fn named<'b, T>(all: &'b BTreeMap<String, T>, name: &str, kind: &str) -> Result<&'b T, Unknown> {
+    let known = || nearest(name, &all.keys().map(String::as_str).collect::<Vec<_>>());
+    all.get(name).ok_or_else(|| (format!("the body has no {kind} `{name}`"), known()))
+}
+
+/// The number of the piece, and the edge, of a name `PIECE.EDGE`.
+fn named_edge<'g>(name: &str, garment: &'g Garment) -> Result<(usize, &'g OutlineEdge), Unknown> {
+    let not_written = || (format!("`{name}` is not written PIECE.EDGE"), "write e.g. `FRONT.0`".to_owned());
+    let (piece_name, edge_name) = name.rsplit_once('.').ok_or_else(not_written)?;
+    let pieces = || garment.pieces.iter().map(|p| p.name.as_str());
+    let number = pieces().position(|p| p == piece_name).ok_or_else(|| {
+        (format!("there is no piece `{piece_name}`"), nearest(piece_name, &pieces().collect::<Vec<_>>()))
+    })?;
+    let edges = &garment.pieces[number].edges;
+    let is_meant = |e: &&OutlineEdge| e.name.as_deref() == Some(edge_name) || edge_name.parse() == Ok(e.index);
+    let edge = edges.iter().find(is_meant).ok_or_else(|| {
+        let names: Vec<&str> = edges.iter().filter_map(|e| e.name.as_deref()).collect();
+        let numbers = format!("its edges are numbered 0 to {}", edges.len().saturating_sub(1));
+        let remedy = if names.is_empty() { numbers } else { format!("{}; {numbers}", nearest(edge_name, &names)) };
+        (format!("`{piece_name}` has no edge `{edge_name}`"), remedy)
+    })?;
+    Ok((number, edge))
+}
+
 /// The line of an edge `PIECE.EDGE`: as drawn on the pattern, else the worn mesh.
 fn edge(name: &str, garment: &Garment, on: On) -> Result<Vec<Vec3>, String> {
-    let (piece_name, edge_name) = name.rsplit_once('.').ok_or_else(|| format!("`{name}` is not written PIECE.EDGE"))?;
-    let number = garment.pieces.iter().position(|p| p.name == piece_name);
-    let number = number.ok_or_else(|| format!("there is no piece `{piece_name}`"))?;
+    let (number, edge) = named_edge(name, garment).map_err(|(why, _)| why)?;
     let piece = &garment.pieces[number];
-    let named = |e: &&toile_garment::outline::OutlineEdge| {
-        e.name.as_deref() == Some(edge_name) || edge_name.parse::<u32>().is_ok_and(|n| n == e.index)
-    };
-    let edge = piece.edges.iter().find(named).ok_or_else(|| format!("`{piece_name}` has no edge `{edge_name}`"))?;
     if on == On::Pattern {
         let points = &piece.outline.points;
         let run = around(points.len(), edge.from as usize, edge.to as usize);
@@ -98,7 +139,7 @@ fn girth(m: &PointOfMeasure, garment: &Garment, segment: &str) -> Result<(f64, f
         None => m.height.map_or(0.0, |h| h.0),
     };
     let height = told - m.below.map_or(0.0, |l| l.0);
-    let axis = body.segments.get(segment).ok_or_else(|| format!("the body has no segment `{segment}`"))?;
+    let axis = named(&body.segments, segment, "segment").map_err(|(why, _)| why)?;
     let share = (height - axis.from.y) / (axis.to.y - axis.from.y);
     let middle = axis.from + (axis.to - axis.from) * if share.is_finite() { share } else { 0.0 };
     let surface = match m.on {
@@ -117,7 +158,7 @@ fn girth(m: &PointOfMeasure, garment: &Garment, segment: &str) -> Result<(f64, f
 
 fn landmark(garment: &Garment, name: &str) -> Result<Vec3, String> {
     let body = garment.body.as_ref().ok_or("there is no body")?;
-    body.landmarks.get(name).copied().ok_or_else(|| format!("the body has no landmark `{name}`"))
+    named(&body.landmarks, name, "landmark").copied().map_err(|(why, _)| why)
 }
 
 /// The way between two ends, and the height of the first.
@@ -246,7 +287,7 @@ mod tests {
     use toile_garment::body::Body;
     use toile_garment::garment::Shape;
     use toile_garment::mesh::{ChainKind, MeshChain, PieceMesh};
-    use toile_garment::outline::{LinePoint, OutlineEdge, PieceLine, PointKind};
+    use toile_garment::outline::{LinePoint, PieceLine, PointKind};
 
     /// A strip of 0.3 by 0.1 m, worn as a roof: its long edges rise by 30° to the middle and fall again.
     fn roof() -> Garment {

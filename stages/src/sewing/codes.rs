@@ -85,9 +85,6 @@ codes! {
     /// tells the line of the other. Remove one. Exit code 2.
     TABLES_CONTRADICT = "tables-contradict";
 
-    /// The sewing file is not UTF-8 text. Exit code 2.
-    SEWING_FILE = "sewing-file";
-
     /// A seam uses the edges of a wedge that was taken for a dart, so it is none.
     WEDGE_IS_NO_DART = "wedge-is-no-dart";
 

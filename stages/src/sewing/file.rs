@@ -1,9 +1,9 @@
 //! The sewing file as a stage is given it.
 
-use super::codes;
+use crate::text::utf8;
 use std::path::Path;
+use toile_garment::Diagnostic;
 use toile_garment::sewing::SewingPlan;
-use toile_garment::{Diagnostic, SourceRef};
 use toile_stage_api::{StageContext, StageError};
 
 /// Reads a sewing file.
@@ -27,9 +27,6 @@ pub fn sound_tables(
 ) -> Result<(Option<SewingPlan>, Vec<Diagnostic>), StageError> {
     let name = path.to_string_lossy().into_owned();
     let bytes = cx.files.read(path)?;
-    let text = String::from_utf8(bytes).map_err(|_| {
-        let text = format!("the sewing file `{name}` is not UTF-8 text");
-        StageError::parameter(Diagnostic::error(codes::SEWING_FILE, text).at(SourceRef::file(name.clone())))
-    })?;
+    let text = utf8(path, &bytes)?;
     Ok(toile_formats::sewing::read_sound_tables(&text, &name))
 }

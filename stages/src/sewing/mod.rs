@@ -18,3 +18,4 @@ pub mod turned;
 
 pub use apply::{apply, apply_deciding, copies, darts, folds};
 pub use file::{file, sound_tables};
+pub(crate) use lookup::nearest;

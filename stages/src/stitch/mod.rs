@@ -131,9 +131,10 @@ impl Stage for Stitch {
         errors.keep(of_files.finish());
         let garment = &mut forecast.garment;
         known::set_aside(&mut garment.plan, &unread);
+        forecast.unread = unread.names;
         errors.parameters(plan_faults(garment, params.clearance.0, in_doubt));
         // On a body without a mesh nothing has a place.
-        garment.body.take_if(|body| body.triangles.is_empty());
+        garment.body.take_if(|body| body.triangles.is_empty() || unread.all);
         errors.finish()?;
         Ok(forecast::cost(forecast))
     }

@@ -62,7 +62,6 @@ pub const WORDS: &[Words] = &[
     ("sewing-edge-name", "[[edge]] 的名称是整数，与边的编号混淆。", "名称中加一个字母。"),
     ("sewing-empty-list", "一边或列表是空的。", "至少写一项。"),
     ("sewing-empty-text", "名称是空的。", "写出名称，或删去该键。"),
-    ("sewing-file", "缝制文件不是 UTF-8 文本。", "另存为 UTF-8。"),
     ("sewing-file-syntax", "缝制文件在此处不符合 TOML 语法。", "按说明改正。"),
     ("sewing-fold-angle", "[[fold]] 的角度为 0 或超过 180°。", "改正角度。"),
     ("sewing-interlining", "[[interlining]] 没有质量，或抗弯刚度小于 0。", "改正衬布的数值。"),
