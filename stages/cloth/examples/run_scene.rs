@@ -10,8 +10,8 @@ use std::fmt::Write as _;
 use std::path::Path;
 use std::time::Instant;
 use toile_cloth::{
-    BodyMesh, Curve, Effects, Element, Equilibrium, ExplicitSteps, Integrator, Material, Model, Outcome, Pin, Scene,
-    Settings, Switch, Vec3, Watch, certify, drape, sew, weld,
+    Bending, BodyMesh, Curve, Effects, Element, Equilibrium, ExplicitSteps, Integrator, Material, Model, Outcome, Pin,
+    Scene, Settings, Switch, Vec3, Watch, certify, drape, sew, weld,
 };
 
 /// Since when, and whether every look is told.
@@ -72,12 +72,7 @@ fn cotton() -> Material {
         shear: 45.0,
         shear_curve: None,
         poisson: 0.1,
-        bend_warp: 8e-6,
-        bend_weft: 5e-6,
-        bend_bias: None,
-        bend_curve: [None, None],
-        bend_friction: 0.0,
-        rest_curvature: [0.0; 2],
+        bending: Bending { warp: 8e-6, weft: 5e-6, ..Bending::default() },
         springs: None,
         strain_limit: [0.035, 0.08, f64::INFINITY],
     }

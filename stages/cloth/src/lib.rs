@@ -43,6 +43,7 @@ pub use hierarchy::perturb::shaken;
 pub use prepare::initial_feasibility::free_pieces::{PieceMove, free_pieces};
 pub use report::outcome::{EffectReport, Outcome, Reaction, StopReason};
 pub use report::watch::{Silent, Watch};
+pub use scene::bending::Bending;
 pub use scene::contact_filter::ContactFilter;
 pub use scene::curve::Curve;
 pub use scene::elements::{Element, Elements};

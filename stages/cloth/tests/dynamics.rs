@@ -5,8 +5,8 @@ mod common;
 use common::{cotton, jitter, linear, noise, regular, sheet, sphere};
 use std::f64::consts::PI;
 use toile_cloth::{
-    BodyMesh, ClothError, Curve, Dynamics, Effects, Integrator, Material, Motion, Pin, Scene, SceneFault, Settings,
-    Silent, Switch, Vec3, animate, certify, drape,
+    Bending, BodyMesh, ClothError, Curve, Dynamics, Effects, Integrator, Material, Motion, Pin, Scene, SceneFault,
+    Settings, Silent, Switch, Vec3, animate, certify, drape,
 };
 
 const G: f64 = 9.81;
@@ -50,7 +50,7 @@ fn film(scene: &Scene, settings: &Settings, dynamics: &Dynamics, motion: &Motion
 
 fn falling() -> Scene {
     let mut m = linear(0.2, 500.0, 500.0, 50.0);
-    (m.bend_warp, m.bend_weft) = (1e-5, 1e-5);
+    (m.bending.warp, m.bending.weft) = (1e-5, 1e-5);
     let mut scene = sheet(0.2, 0.2, 6, 6, m, |x, y| Vec3::new(x, 1.0, y));
     scene.gravity = Vec3::new(0.0, -G, 0.0);
     scene
@@ -128,7 +128,7 @@ fn a_stiff_strip_swings_with_the_period_of_a_rod() {
     // validation-cases pendulum-0 and -1; the tolerance of a good solver is 0.3 %.
     for (degrees, expected) in [(10.0_f64, 1.160_412_049), (60.0, 1.242_962_768)] {
         let mut m = linear(0.2, 5e4, 5e4, 2e4);
-        (m.bend_warp, m.bend_weft) = (20.0, 20.0);
+        (m.bending.warp, m.bending.weft) = (20.0, 20.0);
         let scene = strip(24, 0.5, degrees.to_radians(), m);
         let motion = Motion { fps: 120.0, frames: 320, ..Motion::default() };
         let shots = film(&scene, &alone(), &Dynamics { tolerance: 1e-6, ..exact(1.0 / 120.0) }, &motion);
@@ -185,7 +185,7 @@ fn a_cantilever_rings_across_itself_at_the_closed_frequency() {
     let free = 0.1 - 0.5 * row;
     let omega = 1.875_104_1_f64 * 1.875_104_1 * f64::sqrt(b / sigma) / (free * free);
     let mut m = linear(sigma, 3000.0, 3000.0, 100.0);
-    (m.bend_warp, m.bend_weft) = (b, b);
+    (m.bending.warp, m.bending.weft) = (b, b);
     // Wide, because its sides are a zigzag, which bends a little too softly (docs/bending.md).
     let mut scene = regular(14, n, row * 2.0 / 3f64.sqrt(), m);
     scene.pins = (0..30).map(|v| Pin { vertex: v, at: scene.positions[v as usize] }).collect();
@@ -306,8 +306,7 @@ fn a_ball_at_ten_metres_a_second_takes_cloth_along() {
         strain_limit: [0.2, 0.2, f64::INFINITY],
         thickness: 4e-4,
         friction: 0.3,
-        bend_warp: 1e-5,
-        bend_weft: 1e-5,
+        bending: Bending::isotropic(1e-5),
         ..linear(0.15, 2000.0, 1500.0, 400.0)
     };
     for seed in 0..6 {

@@ -119,7 +119,7 @@ fn bending_without_friction_has_no_hysteresis() {
     same(&on, &run(&on_a_ball(), Effects { bending_hysteresis: Switch::Off, ..Effects::default() }));
     let little = |friction: f64| {
         let mut scene = on_a_ball();
-        scene.materials[0].bend_friction = friction;
+        scene.materials[0].bending.friction = friction;
         scene
     };
     // By itself only where it is felt.
@@ -134,7 +134,7 @@ fn bending_without_friction_has_no_hysteresis() {
 fn a_strip_curls_as_its_fabric_does() {
     for curvature in [20.0, -35.0] {
         let mut scene = sheet(0.02, 0.12, 4, 24, cotton(), |x, y| Vec3::new(x, y, 0.0));
-        scene.materials[0].rest_curvature = [curvature, 0.0];
+        scene.materials[0].bending.rest_curvature = [curvature, 0.0];
         scene.gravity = Vec3::zeros();
         // The first two rows are held flat.
         scene.pins = (0..10).map(|v| Pin { vertex: v, at: scene.positions[v as usize] }).collect();
@@ -185,7 +185,7 @@ fn every_pair_of_switches_runs() {
             bending_hysteresis: at(4),
         };
         let mut scene = on_a_ball();
-        scene.materials[0].bend_friction = 1e-4;
+        scene.materials[0].bending.friction = 1e-4;
         scene.pins = vec![Pin { vertex: 84, at: scene.positions[84] }];
         let o = run(&scene, effects);
         assert!(o.settled, "{row}: {:?}", o.stop_reason);

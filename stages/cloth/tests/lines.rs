@@ -6,8 +6,8 @@ mod common;
 use common::{linear, post, sheet};
 use std::f64::consts::{PI, TAU};
 use toile_cloth::{
-    Band, BodyMesh, Effects, FoldLine, Material, Outcome, Pin, Scene, Settings, Silent, StopReason, Switch, Vec3,
-    band_state, drape, fold_angles, weld,
+    Band, Bending, BodyMesh, Effects, FoldLine, Material, Outcome, Pin, Scene, Settings, Silent, StopReason, Switch,
+    Vec3, band_state, drape, fold_angles, weld,
 };
 
 const G: f64 = 9.81;
@@ -118,7 +118,7 @@ fn mean_angle(scene: &Scene, out: &Outcome) -> f64 {
 /// Without weight a fold comes to its own angle, to either side.
 #[test]
 fn a_fold_without_load_takes_its_angle() {
-    let stiff = Material { bend_warp: 1e-3, bend_weft: 1e-3, ..linear(0.2, 1000.0, 1000.0, 400.0) };
+    let stiff = Material { bending: Bending::isotropic(1e-3), ..linear(0.2, 1000.0, 1000.0, 400.0) };
     for angle in [0.5 * PI, -0.5 * PI, 0.9 * PI] {
         let scene = strip(stiff.clone(), angle, 0.02);
         let out = settle(&scene, Switch::Auto);
@@ -141,7 +141,7 @@ fn scene_up(scene: &Scene) -> f64 {
 #[test]
 fn a_flap_hangs_from_a_fold_by_the_closed_form() {
     let (density, flap) = (0.2, 0.06);
-    let stiff = Material { bend_warp: 1.0, bend_weft: 1.0, ..linear(density, 1e4, 1e4, 4e3) };
+    let stiff = Material { bending: Bending::isotropic(1.0), ..linear(density, 1e4, 1e4, 4e3) };
     let weight = 0.5 * density * G * flap * flap;
     for expected in [0.3f64, 0.8] {
         let stiffness = weight * libm::cos(expected) / expected;

@@ -218,7 +218,7 @@ fn free_fall_follows_gravity_and_keeps_the_shape() {
 fn inner_forces_keep_momentum() {
     for model in [Model::Coupled, Model::Springs] {
         let mut m = linear(0.15, 800.0, 500.0, 40.0);
-        (m.bend_warp, m.bend_weft) = (1e-4, 5e-5);
+        (m.bending.warp, m.bending.weft) = (1e-4, 5e-5);
         let mut scene = sheet(0.2, 0.2, 6, 6, m, |x, y| Vec3::new(x, 0.0, y));
         for (i, p) in (0u32..).zip(&mut scene.positions) {
             *p += Vec3::new(noise(3 * i), noise(3 * i + 1), noise(3 * i + 2)) * 3e-3;
@@ -252,7 +252,7 @@ fn a_cantilever_bends_by_its_length_over_bending_length() {
     for (gamma, expected) in [(2.0, 0.246_673), (10.0, 1.066_802)] {
         let b = sigma * G * free * free * free / gamma;
         let mut m = linear(sigma, 300.0, 300.0, 10.0);
-        (m.bend_warp, m.bend_weft) = (b, b);
+        (m.bending.warp, m.bending.weft) = (b, b);
         let mut scene = regular(5, n, side, m);
         scene.gravity = Vec3::new(0.0, -G, 0.0);
         scene.pins = (0..12).map(|v| Pin { vertex: v, at: scene.positions[v as usize] }).collect();
@@ -427,7 +427,7 @@ fn cloth_is_not_led_farther_than_any_would_bear() {
 fn a_sheet_is_led_over_a_rough_table_as_far_as_asked() {
     let (length, friction, areal_mass) = (0.2, 0.3, 0.08);
     let mut m = linear(areal_mass, 20_000.0, 20_000.0, 8_000.0);
-    (m.friction, m.bend_warp, m.bend_weft) = (friction, 3e-4, 3e-4);
+    (m.friction, m.bending.warp, m.bending.weft) = (friction, 3e-4, 3e-4);
     let height = 1.2e-3;
     let mut scene = sheet(0.1, length, 6, 12, m, |x, y| Vec3::new(x, height, y));
     let at = |x: f64, z: f64| Vec3::new(x, 0.0, z);

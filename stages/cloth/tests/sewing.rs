@@ -90,7 +90,7 @@ fn dart(degrees: f64, rings: u32, spokes: u32, radius: f64, material: Material) 
 fn a_dart_closes_into_its_cone() {
     // 90° in a disc: half angle 48.59°, height R cos(α).
     let mut m = linear(0.1, 500.0, 500.0, 200.0);
-    (m.bend_warp, m.bend_weft) = (1e-5, 1e-5);
+    (m.bending.warp, m.bending.weft) = (1e-5, 1e-5);
     let (radius, rings) = (0.1, 8);
     let scene = dart(90.0, rings, 36, radius, m);
     let settings = Settings {

@@ -6,7 +6,7 @@
 
 use super::DrapeParams;
 use crate::solve::Follow;
-use toile_cloth::{ClothError, Curve, Material, Scene, Settings, StopReason};
+use toile_cloth::{Bending, ClothError, Curve, Material, Scene, Settings, StopReason};
 use toile_stage_api::StageContext;
 
 /// How many times as stiff in bending the cloth is, one rest after the other. On the long skirt the mesh with edges of 22 mm
@@ -42,13 +42,15 @@ pub(super) fn lead(
 /// The same cloth, so many times as stiff in bending. Its yarns rub as before.
 fn stiffer(m: &Material, times: f64) -> Material {
     let curve = |c: &Option<Curve>| c.as_ref().map(|c| c.times(times));
-    Material {
-        bend_warp: times * m.bend_warp,
-        bend_weft: times * m.bend_weft,
-        bend_bias: m.bend_bias.map(|b| times * b),
-        bend_curve: [curve(&m.bend_curve[0]), curve(&m.bend_curve[1])],
-        ..m.clone()
-    }
+    let soft = &m.bending;
+    let bending = Bending {
+        warp: times * soft.warp,
+        weft: times * soft.weft,
+        bias: soft.bias.map(|b| times * b),
+        curve: [curve(&soft.curve[0]), curve(&soft.curve[1])],
+        ..*soft
+    };
+    Material { bending, ..m.clone() }
 }
 
 #[cfg(test)]
@@ -57,9 +59,10 @@ mod tests {
 
     #[test]
     fn only_bending_gets_stiffer() {
-        let cloth = Material { bend_bias: Some(3e-6), ..Material::isotropic(0.15, 500.0, 0.2, 4e-6) };
+        let soft = Bending { bias: Some(3e-6), ..Bending::isotropic(4e-6) };
+        let cloth = Material { bending: soft.clone(), ..Material::isotropic(0.15, 500.0, 0.2, 4e-6) };
         let stiff = stiffer(&cloth, 16.0);
-        assert_eq!((stiff.bend_warp, stiff.bend_weft, stiff.bend_bias), (6.4e-5, 6.4e-5, Some(4.8e-5)));
-        assert_eq!(Material { bend_warp: 4e-6, bend_weft: 4e-6, bend_bias: Some(3e-6), ..stiff }, cloth);
+        assert_eq!((stiff.bending.warp, stiff.bending.weft, stiff.bending.bias), (6.4e-5, 6.4e-5, Some(4.8e-5)));
+        assert_eq!(Material { bending: soft, ..stiff }, cloth);
     }
 }

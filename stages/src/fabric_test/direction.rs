@@ -47,7 +47,7 @@ impl Direction {
         match self {
             Self::Warp => fabric.bend_warp,
             Self::Weft => fabric.bend_weft,
-            Self::Bias => material(fabric).bend_at_45(),
+            Self::Bias => material(fabric).bending.at_45(),
         }
     }
 

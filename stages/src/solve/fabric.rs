@@ -1,6 +1,6 @@
 //! A fabric of the garment as a material of the solver.
 
-use toile_cloth::{Curve, Material};
+use toile_cloth::{Bending, Curve, Material};
 use toile_garment::fabric::{Fabric, StretchLaw};
 
 /// The solver's material for a fabric.
@@ -15,12 +15,14 @@ pub fn material(fabric: &Fabric) -> Material {
         shear: fabric.shear,
         shear_curve: samples(&fabric.shear_curve),
         poisson: fabric.poisson,
-        bend_warp: fabric.bend_warp,
-        bend_weft: fabric.bend_weft,
-        bend_bias: fabric.bend_bias,
-        bend_curve: [samples(&fabric.bend_curve_warp), samples(&fabric.bend_curve_weft)],
-        bend_friction: fabric.bend_friction(),
-        rest_curvature: [fabric.rest_curvature_warp, fabric.rest_curvature_weft].map(|k| k.unwrap_or(0.0)),
+        bending: Bending {
+            warp: fabric.bend_warp,
+            weft: fabric.bend_weft,
+            bias: fabric.bend_bias,
+            curve: [samples(&fabric.bend_curve_warp), samples(&fabric.bend_curve_weft)],
+            friction: fabric.bend_friction(),
+            rest_curvature: [fabric.rest_curvature_warp, fabric.rest_curvature_weft].map(|k| k.unwrap_or(0.0)),
+        },
         springs: fabric.springs.map(|s| [s.yarn, s.bias]),
         strain_limit: [
             fabric.strain_limit_warp,

@@ -63,5 +63,5 @@ fn bending_across(cloth: &Material, piece: &Piece, fold: &PressedFold) -> f64 {
     let along_warp = way.normalize().dot(&piece.warp());
     // A line along the warp bends the weft.
     let (weft, warp) = (along_warp * along_warp, 1.0 - along_warp * along_warp);
-    cloth.bend_weft * weft * weft + 4.0 * cloth.bend_twist() * weft * warp + cloth.bend_warp * warp * warp
+    cloth.bending.weft * weft * weft + 4.0 * cloth.bending.twist() * weft * warp + cloth.bending.warp * warp * warp
 }

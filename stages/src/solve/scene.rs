@@ -4,7 +4,7 @@ use super::codes;
 use super::fabric::material;
 use super::lines;
 use std::collections::BTreeSet;
-use toile_cloth::{BodyMesh, ContactFilter, Element, Load, Material, Pin, Scene};
+use toile_cloth::{Bending, BodyMesh, ContactFilter, Element, Load, Material, Pin, Scene};
 use toile_garment::mesh::PieceMesh;
 use toile_garment::seam::Seam;
 use toile_garment::sewing::LayerSpec;
@@ -123,9 +123,12 @@ pub(super) fn interlined(garment: &Garment, piece: &Piece, fabric: Material) -> 
     let has = |pieces: &[String]| pieces.iter().any(|n| n.eq_ignore_ascii_case(&piece.name));
     garment.plan.interlinings.iter().filter(|i| has(&i.pieces)).fold(fabric, |m, i| Material {
         areal_mass: m.areal_mass + i.areal_mass,
-        bend_warp: m.bend_warp + i.bending,
-        bend_weft: m.bend_weft + i.bending,
-        bend_bias: m.bend_bias.map(|b| b + i.bending),
+        bending: Bending {
+            warp: m.bending.warp + i.bending,
+            weft: m.bending.weft + i.bending,
+            bias: m.bending.bias.map(|b| b + i.bending),
+            ..m.bending
+        },
         ..m
     })
 }

@@ -34,7 +34,7 @@ impl Facts {
             friction: most(|m| m.friction),
             strain_limit: materials.iter().flat_map(|m| m.strain_limit).fold(f64::INFINITY, f64::min),
             bend_friction: most(Material::bend_friction_share),
-            rest_curvature: most(|m| m.rest_curvature[0].abs().max(m.rest_curvature[1].abs())),
+            rest_curvature: most(|m| m.bending.rest_curvature[0].abs().max(m.bending.rest_curvature[1].abs())),
             curves: materials.iter().map(Material::measured_curves).sum(),
             pressure: settings.pressure,
         }

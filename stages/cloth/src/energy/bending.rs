@@ -45,12 +45,12 @@ pub(crate) struct Flexion {
 
 /// Rigidities against (κ₀₀, κ₁₁, 2 κ₀₁), N·m: weft, warp, twist; no coupling (a Poisson ratio of 0).
 pub(crate) fn rigidity(m: &Material) -> Vector3<f64> {
-    Vector3::new(m.bend_weft, m.bend_warp, m.bend_twist())
+    Vector3::new(m.bending.weft, m.bending.warp, m.bending.twist())
 }
 
 /// Curvature without load as (κ₀₀, κ₁₁, 2 κ₀₁), 1/m: weft, warp, no twist.
 fn curvature_at_rest(m: &Material) -> Vector3<f64> {
-    let [warp, weft] = m.rest_curvature;
+    let [warp, weft] = m.bending.rest_curvature;
     Vector3::new(weft, warp, 0.0)
 }
 
@@ -252,7 +252,7 @@ fn surrogate(
     patches: &[(usize, Patch)],
 ) -> Option<Springs> {
     let gravity = or_earth(scene.gravity.norm());
-    let length = |m: &Material| bending_length(m.bend_warp.min(m.bend_weft), m.areal_mass, gravity);
+    let length = |m: &Material| bending_length(m.bending.softer(), m.areal_mass, gravity);
     let lengths: Vec<f64> = scene.materials.iter().map(length).collect();
     let wide = |f: usize| is_wide(&scene.triangles[f], lengths[scene.triangles[f].material as usize]);
     let narrow = patches.iter().filter(|(f, _)| !wide(*f));

@@ -33,7 +33,7 @@ impl BendingCurve {
         let mut all = Self { triangles: Vec::new(), laws: Vec::new() };
         for (yarn, along) in ALONG.into_iter().enumerate() {
             let law = |m: &crate::Material| {
-                let law = Law::above_least_slope(m.bend_curve[yarn].as_ref()?, settings.curve_cap())?;
+                let law = Law::above_least_slope(m.bending.curve[yarn].as_ref()?, settings.curve_cap())?;
                 all.laws.push(law);
                 Some(all.laws.len() - 1)
             };

@@ -14,7 +14,7 @@ use crate::energy::weight::Weight;
 use crate::linear::hessian::Hessian;
 use crate::scene::lines::{Band, FoldLine};
 use crate::scene::topology::Topology;
-use crate::{Curve, Element, Material, Scene, Settings, Vec3};
+use crate::{Bending, Curve, Element, Material, Scene, Settings, Vec3};
 
 fn noise(seed: u32) -> f64 {
     let h = seed.wrapping_mul(0x9E37_79B9) ^ (seed.wrapping_mul(0x85EB_CA6B) >> 13);
@@ -53,9 +53,7 @@ pub(crate) fn fabric() -> Material {
         weft: Curve::Samples(vec![[0.0, 0.0], [0.05, 10.0], [0.2, 100.0]]),
         poisson: 0.2,
         shear: 40.0,
-        bend_warp: 2e-5,
-        bend_weft: 1e-5,
-        bend_bias: Some(1.2e-5),
+        bending: Bending { warp: 2e-5, weft: 1e-5, bias: Some(1.2e-5), ..Bending::default() },
         ..Material::isotropic(0.15, 500.0, 0.0, 1e-5)
     }
 }
@@ -96,7 +94,7 @@ fn energies(scene: &Scene, s: &Settings) -> Vec<Box<dyn Energy>> {
 fn curled(scene: &Scene) -> Box<dyn Energy> {
     let t = Topology::of_elements(scene.positions.len(), &scene.triangles);
     let mut curled = scene.clone();
-    curled.materials.iter_mut().for_each(|m| m.rest_curvature = [30.0, -12.0]);
+    curled.materials.iter_mut().for_each(|m| m.bending.rest_curvature = [30.0, -12.0]);
     Box::new(RestCurvature::new(&curled, &t).expect("a fabric that curls"))
 }
 
@@ -110,10 +108,7 @@ fn measured(curl: [f64; 2]) -> Material {
     Material {
         shear: 40.0,
         shear_curve: curve(40.0, 0.3),
-        bend_warp: 2e-5,
-        bend_weft: 1e-5,
-        bend_curve: [curve(2e-5, 60.0), curve(1e-5, 90.0)],
-        rest_curvature: curl,
+        bending: Bending { curve: [curve(2e-5, 60.0), curve(1e-5, 90.0)], rest_curvature: curl, ..fabric().bending },
         ..fabric()
     }
 }
@@ -179,7 +174,7 @@ fn a_measured_curve_stores_what_was_measured() {
     let t = Topology::of_elements(scene.positions.len(), &scene.triangles);
     let line = Flexion::new(&scene, &t).energy(&rolled);
     let ratio = (bend.energy(&rolled) + line) / line;
-    let expected = stored(&cloth.bend_curve[0], k) / (0.5 * cloth.bend_warp * k * k);
+    let expected = stored(&cloth.bending.curve[0], k) / (0.5 * cloth.bending.warp * k * k);
     assert!((ratio / expected - 1.0).abs() < 0.03, "{ratio} times the straight line, not {expected}");
 }
 

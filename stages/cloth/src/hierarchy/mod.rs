@@ -104,7 +104,7 @@ fn may_be(scene: &Scene, longest: f64) -> bool {
 /// Longest mean edge with which all fabrics still fold rightly under their weight, m.
 fn longest_that_folds(scene: &Scene) -> f64 {
     let gravity = scene.gravity.norm();
-    let lengths = scene.materials.iter().map(|m| bending_length(m.bend_warp.min(m.bend_weft), m.areal_mass, gravity));
+    let lengths = scene.materials.iter().map(|m| bending_length(m.bending.softer(), m.areal_mass, gravity));
     lengths.fold(f64::INFINITY, f64::min).min(LEVEL_EDGE_MAX.get() / LEVEL_EDGE_BENDING_LENGTHS.get())
         * LEVEL_EDGE_BENDING_LENGTHS.get()
 }

@@ -148,7 +148,7 @@ fn a_level_of_a_drape_is_as_much_softer_as_its_edges_are_longer_squared() {
     assert!((stiffness(&level.scene) / stiffness(&fine) * longer * longer - 1.0).abs() < 1e-12);
     let [soft, hard] = [&level.scene, &fine].map(|s| s.materials[0].shear);
     assert!((soft / hard * longer * longer - 1.0).abs() < 1e-12);
-    assert_eq!(level.scene.materials[0].bend_warp, fine.materials[0].bend_warp);
+    assert_eq!(level.scene.materials[0].bending.warp, fine.materials[0].bending.warp);
     assert_eq!(stiffness(&Level::below(&fine).expect("level").scene), stiffness(&fine), "sewn as it is");
 }
 

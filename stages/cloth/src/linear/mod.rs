@@ -7,6 +7,7 @@ pub(crate) mod fork_join;
 pub(crate) mod hessian;
 pub(crate) mod huge_pages;
 pub(crate) mod nested_dissection;
+pub(crate) mod pattern;
 pub(crate) mod separator_halves;
 pub(crate) mod substitute;
 pub(crate) mod supernode;

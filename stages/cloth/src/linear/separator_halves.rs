@@ -82,7 +82,8 @@ impl PartView<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::linear::hessian::{Pattern, grid_pairs};
+    use crate::linear::hessian::grid_pairs;
+    use crate::linear::pattern::Pattern;
     use crate::linear::symbolic::Symbolic;
 
     /// A sheet of squares, each vertex coupled with those around it and two lines away.

@@ -4,8 +4,8 @@
 //!
 //! It has whole numbers only, so it is the same on every machine.
 
-use crate::linear::hessian::Pattern;
 use crate::linear::nested_dissection;
+use crate::linear::pattern::Pattern;
 use crate::linear::separator_halves::SeparatorHalves;
 use crate::linear::supernode::{Ancestor, Node, RowRun};
 use crate::linear::tuning::{

@@ -1,7 +1,7 @@
 //! A sparse symmetric matrix of 3 × 3 blocks, as it is factorised.
 
 use crate::Vec3;
-use crate::linear::hessian::{IsotropicBlocks, Pattern};
+use crate::linear::pattern::{IsotropicBlocks, Pattern};
 use nalgebra::Matrix3;
 use std::sync::Arc;
 

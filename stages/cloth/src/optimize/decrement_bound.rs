@@ -48,7 +48,7 @@ fn decrement_bound(system: &System, f: &[Vec3], enough: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::linear::hessian::Pattern;
+    use crate::linear::pattern::Pattern;
     use nalgebra::Matrix3;
 
     /// A chain of unit springs held at one end: the bound grows with the steps and never passes the truth.

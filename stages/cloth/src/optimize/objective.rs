@@ -101,7 +101,7 @@ impl Objective {
             hessian,
             edge,
             noise: cloth.iter().map(|e| e.noise(&positions)).sum(),
-            resists_bending: scene.materials.iter().all(|m| m.bend_warp > 0.0 && m.bend_weft > 0.0),
+            resists_bending: scene.materials.iter().all(|m| m.bending.warp > 0.0 && m.bending.weft > 0.0),
             costs,
             evaluations: 0,
             force: vec![Vec3::zeros(); positions.len()],

@@ -1,5 +1,6 @@
 //! The scene that the solver is given, as plain arrays.
 
+pub mod bending;
 pub mod contact_filter;
 pub mod curve;
 pub(crate) mod elements;
@@ -11,7 +12,7 @@ pub(crate) mod topology;
 pub(crate) mod validate;
 pub mod weld;
 
-use crate::{Band, ContactFilter, Curve, Elements, FoldLine, SharedBody, Vec3};
+use crate::{Band, Bending, ContactFilter, Curve, Elements, FoldLine, SharedBody, Vec3};
 
 /// A fabric as the solver needs it.
 #[derive(Clone, Debug, PartialEq)]
@@ -33,20 +34,8 @@ pub struct Material {
     /// Coupling of warp and weft: tension in one direction per strain in the other, as a fraction of the softer
     /// stiffness at rest; 0 ≤ poisson < 1.
     pub poisson: f64,
-    /// Bending rigidity along the warp, N·m.
-    pub bend_warp: f64,
-    /// Bending rigidity along the weft, N·m.
-    pub bend_weft: f64,
-    /// Bending rigidity at 45°, N·m; `None`: the orthotropic estimate from warp and weft.
-    pub bend_bias: Option<f64>,
-    /// Measured moment per width (N) over the curvature (1/m) along [warp, weft]; `None`: the straight line of `bend_warp` or
-    /// `bend_weft`. Where there is a curve, that rigidity is its smallest slope.
-    pub bend_curve: [Option<Curve>; 2],
-    /// Friction HB against bending, as a moment per width, N: half of the hysteresis 2HB; 0 for none.
-    pub bend_friction: f64,
-    /// Curvature without load along [warp, weft], 1/m: above 0 where the cloth is hollow on the side from which the corners
-    /// of its triangles run counter-clockwise.
-    pub rest_curvature: [f64; 2],
+    /// Resistance to bending.
+    pub bending: Bending,
     /// Constants of the bare springs of `Model::Springs`, N/m, in place of those that the laws give.
     ///
     /// The first is for edges within 22.5° of a yarn, the second for all others.
@@ -57,11 +46,6 @@ pub struct Material {
 
 /// Gravity of the Earth, m/s², under which bending lengths are given.
 pub const EARTH: f64 = 9.81;
-/// Least flexibility in twist over that of the mean of warp and weft.
-///
-/// A measured bias strip may be stiffer than any plate.
-const TWIST_FLEXIBILITY_MIN: f64 = 0.5;
-
 /// Peirce's bending length of a rigidity (N·m) under an areal mass (kg/m²) and gravity (m/s²), m: (B/(σ g))^⅓.
 #[must_use]
 pub fn bending_length(bending: f64, areal_mass: f64, gravity: f64) -> f64 {
@@ -83,44 +67,16 @@ impl Material {
             shear: young / (2.0 * (1.0 + poisson)),
             shear_curve: None,
             poisson,
-            bend_warp: bending,
-            bend_weft: bending,
-            bend_bias: None,
-            bend_curve: [None, None],
-            bend_friction: 0.0,
-            rest_curvature: [0.0; 2],
+            bending: Bending::isotropic(bending),
             springs: None,
             strain_limit: [f64::INFINITY; 3],
         }
     }
 
-    /// Rigidity against twist D₆₆, N·m.
-    ///
-    /// A strip cut on the bias shows its measured rigidity with it. Without a measurement it is Huber's √(B₁ B₂)/2
-    /// (docs/bending.md).
-    #[must_use]
-    pub fn bend_twist(&self) -> f64 {
-        let mean = (self.bend_warp * self.bend_weft).sqrt();
-        match self.bend_bias {
-            Some(bias) if mean > 0.0 && bias > 0.0 => {
-                let soft = 4.0 / bias - 1.0 / self.bend_warp - 1.0 / self.bend_weft;
-                1.0 / soft.max(TWIST_FLEXIBILITY_MIN / mean)
-            }
-            _ => 0.5 * mean,
-        }
-    }
-
-    /// Bending rigidity of a strip cut at 45° that is free to twist, N·m: 4/(1/B₁ + 1/B₂ + 1/D₆₆).
-    #[must_use]
-    pub fn bend_at_45(&self) -> f64 {
-        let twist = self.bend_twist();
-        if twist > 0.0 { 4.0 / (1.0 / self.bend_warp + 1.0 / self.bend_weft + 1.0 / twist) } else { 0.0 }
-    }
-
     /// Bending length of the softer direction, m.
     #[must_use]
     pub fn bending_length(&self) -> f64 {
-        bending_length(self.bend_warp.min(self.bend_weft), self.areal_mass, EARTH)
+        bending_length(self.bending.softer(), self.areal_mass, EARTH)
     }
 
     /// Share of friction in the moment of a fold of the size of the bending length, HB c/B.
@@ -128,26 +84,27 @@ impl Material {
     /// It is 0 for cloth that does not resist bending.
     #[must_use]
     pub fn bend_friction_share(&self) -> f64 {
-        let least = self.bend_warp.min(self.bend_weft);
-        if least > 0.0 { self.bend_friction / least * self.bending_length() } else { 0.0 }
+        let least = self.bending.softer();
+        if least > 0.0 { self.bending.friction / least * self.bending_length() } else { 0.0 }
     }
 
     /// Returns `true` for cloth that does not lie flat without load.
     #[must_use]
     pub fn curls(&self) -> bool {
-        self.rest_curvature != [0.0; 2]
+        self.bending.rest_curvature != [0.0; 2]
     }
 
     /// Number of measured curves of shear and bending.
     #[must_use]
     pub fn measured_curves(&self) -> usize {
-        self.bend_curve.iter().chain([&self.shear_curve]).flatten().count()
+        self.bending.curve.iter().chain([&self.shear_curve]).flatten().count()
     }
 
     /// The same cloth without bending stiffness, for tests in which it stays flat.
     #[must_use]
     pub fn limp(self) -> Self {
-        Self { bend_warp: 0.0, bend_weft: 0.0, bend_bias: None, bend_curve: [None, None], bend_friction: 0.0, ..self }
+        let bending = Bending { rest_curvature: self.bending.rest_curvature, ..Bending::default() };
+        Self { bending, ..self }
     }
 }
 

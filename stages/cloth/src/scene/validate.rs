@@ -129,10 +129,10 @@ fn materials(scene: &Scene) -> Result<(), ClothError> {
         let not_negative = [
             ("thickness", m.thickness),
             ("friction", m.friction),
-            ("bend_warp", m.bend_warp),
-            ("bend_weft", m.bend_weft),
-            ("bend_bias", m.bend_bias.unwrap_or(0.0)),
-            ("bend_friction", m.bend_friction),
+            ("bend_warp", m.bending.warp),
+            ("bend_weft", m.bending.weft),
+            ("bend_bias", m.bending.bias.unwrap_or(0.0)),
+            ("bend_friction", m.bending.friction),
             ("springs", m.springs.map_or(0.0, |s| s[0])),
             ("springs", m.springs.map_or(0.0, |s| s[1])),
         ];
@@ -141,7 +141,7 @@ fn materials(scene: &Scene) -> Result<(), ClothError> {
                 return bad(SceneFault::Material, format!("material {i}: {name} is {v}, it must be ≥ 0"));
             }
         }
-        if let Some(k) = m.rest_curvature.iter().find(|k| !k.is_finite()) {
+        if let Some(k) = m.bending.rest_curvature.iter().find(|k| !k.is_finite()) {
             return bad(SceneFault::Material, format!("material {i}: rest_curvature is {k}, it must be finite"));
         }
         if !(0.0..1.0).contains(&m.poisson) {
@@ -151,7 +151,7 @@ fn materials(scene: &Scene) -> Result<(), ClothError> {
             );
         }
         let curves = [Some(&m.warp), Some(&m.weft), m.shear_curve.as_ref()];
-        if curves.into_iter().chain(m.bend_curve.iter().map(Option::as_ref)).flatten().any(|c| !c.is_sound()) {
+        if curves.into_iter().chain(m.bending.curve.iter().map(Option::as_ref)).flatten().any(|c| !c.is_sound()) {
             return bad(SceneFault::Material, format!("material {i}: a measured curve does not rise from (0, 0)"));
         }
         if m.strain_limit.iter().any(|l| l.is_nan() || *l <= 0.0) {

@@ -1,7 +1,7 @@
 //! Small scenes.
 #![allow(dead_code, clippy::unwrap_used)]
 
-use toile_cloth::{BodyMesh, Curve, Element, Material, Scene, Vec3};
+use toile_cloth::{Bending, BodyMesh, Curve, Element, Material, Scene, Vec3};
 
 /// A linear orthotropic fabric without bending, friction or limit.
 pub fn linear(areal_mass: f64, warp: f64, weft: f64, shear: f64) -> Material {
@@ -14,12 +14,7 @@ pub fn linear(areal_mass: f64, warp: f64, weft: f64, shear: f64) -> Material {
         shear,
         shear_curve: None,
         poisson: 0.0,
-        bend_warp: 0.0,
-        bend_weft: 0.0,
-        bend_bias: None,
-        bend_curve: [None, None],
-        bend_friction: 0.0,
-        rest_curvature: [0.0; 2],
+        bending: Bending::default(),
         springs: None,
         strain_limit: [f64::INFINITY; 3],
     }
@@ -27,7 +22,11 @@ pub fn linear(areal_mass: f64, warp: f64, weft: f64, shear: f64) -> Material {
 
 /// A light cotton.
 pub fn cotton() -> Material {
-    Material { friction: 0.3, bend_warp: 8e-6, bend_weft: 5e-6, ..linear(0.115, 1000.0, 800.0, 45.0) }
+    Material {
+        friction: 0.3,
+        bending: Bending { warp: 8e-6, weft: 5e-6, ..Bending::default() },
+        ..linear(0.115, 1000.0, 800.0, 45.0)
+    }
 }
 
 /// A `nx` × `ny` grid of squares cut into triangles, x along the weft, y along the warp; `place` puts a rest point in

@@ -1,6 +1,6 @@
 //! Graphs of coupled unknowns with weights, and their coarsening by pairs of neighbours.
 
-use crate::linear::hessian::Pattern;
+use crate::linear::pattern::Pattern;
 use std::cmp::Reverse;
 
 /// The number of no vertex.

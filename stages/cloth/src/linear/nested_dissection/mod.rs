@@ -8,7 +8,7 @@ pub(crate) mod graph;
 #[cfg(test)]
 pub(crate) mod tests;
 
-use crate::linear::hessian::Pattern;
+use crate::linear::pattern::Pattern;
 use crate::linear::tuning::{DISSECTION_PIECE_MAX, DISSECTION_UNKNOWNS_MIN, NESTED_DISSECTION, SEPARATOR_PARTS_MIN};
 use bisection::Side;
 use faer::dyn_stack::{MemBuffer, MemStack};

@@ -48,7 +48,7 @@ impl Hold {
             row: patch.rows[row],
             normal: Vec3::zeros(),
             place: 0.0,
-            most: size * m.bend_friction,
+            most: size * m.bending.friction,
             reach: size * FRICTION_BUILD_UP.get() / m.bending_length(),
             size,
         }

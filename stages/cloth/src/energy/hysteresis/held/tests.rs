@@ -1,7 +1,7 @@
 //! A strip rolled onto cylinders and back: the loop is as wide as 2HB, and the forces are minus the gradient.
 
 use crate::energy::hysteresis::held::*;
-use crate::{Element, Scene};
+use crate::{Bending, Element, Scene};
 
 const FRICTION: f64 = 2e-4;
 const CELL: f64 = 0.005;
@@ -11,7 +11,10 @@ fn strip() -> (Scene, Hysteresis) {
     let (n, m) = (12u32, 4u32);
     let rest = |i: u32, j: u32| [CELL * f64::from(i), CELL * f64::from(j)];
     let mut scene = Scene {
-        materials: vec![Material { bend_friction: FRICTION, ..Material::isotropic(0.15, 500.0, 0.0, 1e-5) }],
+        materials: vec![Material {
+            bending: Bending { friction: FRICTION, ..Bending::isotropic(1e-5) },
+            ..Material::isotropic(0.15, 500.0, 0.0, 1e-5)
+        }],
         ..Scene::default()
     };
     for j in 0..=n {
