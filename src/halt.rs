@@ -4,7 +4,7 @@ use crate::engine::Exit;
 use crate::load::Loaded;
 use toile_garment::Diagnostic;
 
-/// What a person is told, and how the program ends.
+/// The words for a person, and the exit status of the program.
 #[derive(Debug)]
 pub struct Halt {
     /// Findings to show.

@@ -36,7 +36,7 @@ pub struct Draft {
     pub grain: [Vec2; 2],
     /// How often it is cut.
     pub quantity: Quantity,
-    /// What it is cut of, `MAIN` when empty.
+    /// The material it is cut of, `MAIN` when empty.
     pub material: &'static str,
     /// Words for the cutter.
     pub annotation: &'static str,

@@ -42,7 +42,7 @@ codes! {
     /// name out of the list, and write the seams of the piece, to have it sewn.
     PIECES_LEFT_OUT = "pieces-left-out";
 
-    /// What was changed in one size was carried to all sizes of the pattern. The message lists them.
+    /// A change in one size was carried to all sizes of the pattern. The message lists them.
     SIZES_CARRIED = "sizes-carried";
 
     /// Something of a changed piece could not be carried to the other sizes; the message tells what. Exit code 3 where

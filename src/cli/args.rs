@@ -587,7 +587,7 @@ pub struct FlattenArgs {
 #[derive(Args, Debug)]
 #[command(args_conflicts_with_subcommands = true)]
 pub struct BodyArgs {
-    /// What to do besides.
+    /// The other things to do.
     #[command(subcommand)]
     pub verb: Option<BodyVerb>,
     /// Size to start from, such as 38, men-50 or child-128 [default: 38]

@@ -109,7 +109,7 @@ fn parameters(args: &FlattenArgs) -> Result<String, StageError> {
     Ok(format!("{{ {} }}", parts.join(", ")))
 }
 
-/// What is told and written.
+/// The result that is told and written.
 struct Flattened {
     /// For a person.
     summary: String,

@@ -104,8 +104,8 @@ pub struct Shown {
 /// Keeps rows, with the triangles of the garment.
 pub type Keep<'a> = &'a mut dyn FnMut(&[Shown], usize) -> Result<(), Halt>;
 
-/// What hears of a comparison: every step in words, and all rows so far whenever there is a new one, with the triangles
-/// of the garment.
+/// The listener to a comparison: every step in words, and all rows so far whenever there is a new one, with the
+/// triangles of the garment.
 pub struct Listener<'a> {
     /// Hears of every step.
     pub say: &'a mut dyn FnMut(&str),

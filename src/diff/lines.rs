@@ -55,13 +55,13 @@ pub fn open_line(folder: &Path) -> Result<LineSide, Diagnostic> {
     Ok(LineSide { folder: folder.to_path_buf(), results })
 }
 
-/// What became of a job.
+/// The fate of a job.
 pub struct JobDiff {
     /// Name.
     pub job: String,
     /// How it ended in both versions; nothing where it is not there.
     pub status: [Option<String>; 2],
-    /// What differs in its results.
+    /// The differences in its results.
     pub changes: Vec<Change>,
 }
 
@@ -102,7 +102,7 @@ fn job_diff(sides: [&LineSide; 2], rows: [Option<&Row>; 2]) -> JobDiff {
     JobDiff { job, status, changes }
 }
 
-/// What differs in the results of a job. A result of one side alone that cannot be opened differs as well.
+/// The differences in the results of a job. A result of one side alone that cannot be opened differs as well.
 fn job_changes(sides: [&LineSide; 2], job: &str) -> Vec<Change> {
     let [a, b] = sides.map(|side| open(&side.folder.join("jobs").join(job)));
     let closed = |result: &Result<Side, Diagnostic>| result.is_err().then(|| "cannot be opened".to_owned());
@@ -112,7 +112,7 @@ fn job_changes(sides: [&LineSide; 2], job: &str) -> Vec<Change> {
     }
 }
 
-/// What differs in several jobs under one name.
+/// The differences in several jobs under one name.
 struct Kind<'a> {
     group: Group,
     what: &'a str,
@@ -185,7 +185,7 @@ pub fn lines_json([a, b]: [&LineSide; 2], jobs: &[JobDiff], tolerance: &Toleranc
     })
 }
 
-/// What differs over all jobs, as a page tells it.
+/// The differences over all jobs, as a page tells it.
 pub(super) fn told(jobs: &[JobDiff], tolerance: &Tolerance) -> Vec<Line> {
     let line = |k: &Kind<'_>| Line { group: k.group, what: k.what.to_owned(), words: k.words(), is_over: k.over > 0 };
     kinds(jobs, tolerance).iter().map(line).collect()

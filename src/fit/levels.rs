@@ -15,7 +15,7 @@ const LARGEST_NEGATIVE_EASE: f64 = 0.25;
 /// An ease that is further from what is asked was measured on other cloth: a transfer is never so far off, metres.
 const JUMP: f64 = 0.06;
 
-/// What keeps heights from having each its own ease.
+/// The reason why heights cannot have each its own ease.
 const HELD: &str =
     "; straight edges and right angles are held, and `--lock seams,grain,pleats` lets them follow the body";
 

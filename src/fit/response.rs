@@ -18,7 +18,7 @@ const LARGEST_STEP: f64 = 0.1;
 pub struct Response {
     /// Entry `(i, k)`: the ease at height `i` for each metre added at height `k`.
     slope: DMatrix<f64>,
-    /// What was added in the round before, and the ease then.
+    /// The girths that were added in the round before, and the ease then.
     last: Option<[DVector<f64>; 2]>,
 }
 
@@ -43,7 +43,7 @@ impl Response {
         self.slope += off * step.transpose();
     }
 
-    /// What to add next, so that the missing ease comes, metres: least squares with damping.
+    /// The girths to add next, so that the missing ease comes, metres: least squares with damping.
     pub fn step(&self, missing: &[f64]) -> Vec<f64> {
         let n = missing.len();
         let back = self.slope.transpose();

@@ -82,7 +82,7 @@ pub fn fit(
     Ok(Fitted { levels, rounds, changes, hems, flat: best.flat, worn: best.worn, findings, passed })
 }
 
-/// What was added at every height, and the ease that came of it.
+/// The girth that was added at every height, and the ease that came of it.
 fn values(levels: &[Level], add: &Round) -> [Vec<f64>; 2] {
     let added = levels.iter().map(|l| add.get(&l.name).copied().unwrap_or_default());
     // Where other cloth was measured, the ease says nothing of what was added.

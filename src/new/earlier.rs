@@ -49,7 +49,7 @@ fn pipeline_of(folder: &Path) -> Option<toml::Table> {
     std::fs::read_to_string(folder.join("pipeline.toml")).ok()?.parse().ok()
 }
 
-/// What the stages of a pipeline say at a key.
+/// The values of the stages of a pipeline at a key.
 fn value<'a>(pipeline: &'a toml::Table, key: &str) -> Option<&'a toml::Value> {
     pipeline.get("stage")?.as_array()?.iter().find_map(|stage| stage.get("with")?.get(key))
 }

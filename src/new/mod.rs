@@ -37,7 +37,7 @@ use toile_garment::{Diagnostic, Piece};
 use toile_stages::proposal::{Known, Nameless, Names, Proposal, RoleNames, own_images, propose};
 use toile_stages::roles::{Role, roles_of_names};
 
-/// What to do where a fabric was chosen that a person did not ask for.
+/// The remedy where a fabric was chosen that a person did not ask for.
 pub(crate) const FABRIC_HINT: &str = "--fabric NAME or --fabric FILE takes another one";
 
 /// The wishes of a person.

@@ -51,7 +51,7 @@ pub struct Step<'r> {
 }
 
 impl Step<'_> {
-    /// What the garment keeps of this stage: its name, revision and parameters.
+    /// The record that the garment keeps of this stage: its name, revision and parameters.
     #[must_use]
     pub fn record(&self) -> StageRecord {
         let info = self.ready.info();
@@ -179,7 +179,7 @@ fn value_at<'t>(table: &'t DeTable<'t>, keys: &[String]) -> Option<&'t Spanned<D
 struct Chain<'r> {
     registry: &'r Registry,
     given: BTreeSet<Aspect>,
-    /// What was given and is outdated, with the stage that made its base anew.
+    /// The outdated aspects, with the stage that made its base anew.
     outdated: BTreeMap<Aspect, String>,
     /// After an unknown stage nobody knows what is there: later needs are not reported.
     unsure: bool,

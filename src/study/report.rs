@@ -85,7 +85,7 @@ pub struct Study {
     /// Settings that gave the drape of another one to the last bit, each with that one.
     #[serde(default)]
     pub repeated: Vec<[String; 2]>,
-    /// What a page shows of it, and the garment that it is of.
+    /// The part of it that a page shows, and the garment that it is of.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub shown: Option<Accuracy>,
 }

@@ -26,7 +26,7 @@ pub struct Order<'a> {
     pub cancel: &'a AtomicBool,
 }
 
-/// What was read of a face.
+/// The figures that were read of a face.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Readings {
     /// Drape coefficient, %.
@@ -58,7 +58,7 @@ pub struct Row {
     pub simulated: Readings,
 }
 
-/// What a law costs.
+/// The cost of a law.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Cost {
     /// Name of the law.
@@ -84,7 +84,7 @@ pub struct Validation {
     pub falls: u32,
     /// One row for each face and law.
     pub rows: Vec<Row>,
-    /// What each law costs.
+    /// The cost of each law.
     pub costs: Vec<Cost>,
 }
 

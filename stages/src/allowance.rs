@@ -67,7 +67,7 @@ pub fn add(
     Ok(())
 }
 
-/// What is wrong with the parameters, before a cut line is made. Names are looked for as soon as there are pieces.
+/// The faults of the parameters, before a cut line is made. Names are looked for as soon as there are pieces.
 pub fn faults(params: Option<&AllowanceParams>, pieces: &[Piece]) -> Vec<Diagnostic> {
     let Some(params) = params else { return Vec::new() };
     let names = if pieces.is_empty() { Vec::new() } else { unknown(params, pieces) };

@@ -122,9 +122,7 @@ impl Stage for Drape {
         cx.report.findings.extend(unused::settings(params));
         forecast.advice.extend(repeats::advice(params, &forecast.garment));
         forecast.effects = forecast::effects(params, forecast);
-        // Fitted to the samples and to garments of 800 to 12,000 triangles on bodies of 12,000 and 48,000 triangles.
-        let seconds = forecast::growth(forecast) * (0.08 + 0.003 * forecast.body_thousands());
-        let once = forecast.by_triangles(0.04, seconds, 4.3);
+        let once = forecast.by_triangles(0.01, forecast::seconds(forecast), 4.3);
         let rests = f64::from(1 + params.repeats) + stiffer_first::more_rests(params);
         Ok(once.map(|c| Cost { seconds: c.seconds * rests, ..c }))
     }

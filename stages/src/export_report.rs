@@ -110,7 +110,7 @@ impl Stage for ExportReport {
         errors.keep(study_text(params, cx));
         errors.finish()?;
         let body = forecast.body_thousands();
-        let cost = forecast.by_triangles(0.6 + 0.024 * body, 0.03, 4.0);
+        let cost = forecast.by_triangles(0.3 + 0.013 * body, 0.02, 4.0);
         // The page holds the body a few times on its way: as surface, as bytes and as text.
         Ok(cost.map(|c| Cost { mb: c.mb + 2.2 * body, ..c }))
     }

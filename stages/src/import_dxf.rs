@@ -192,7 +192,7 @@ fn sewn(params: &ImportDxfParams, garment: Garment, cx: &mut StageContext<'_>) -
     (garment, errors)
 }
 
-/// What the sound tables of the sewing file say.
+/// The plan of the sound tables of the sewing file.
 fn plan(params: &ImportDxfParams, errors: &mut Errors, cx: &mut StageContext<'_>) -> Option<SewingPlan> {
     let (plan, wrong) = errors.keep(crate::sewing::sound_tables(params.sewing.as_ref()?, cx))?;
     errors.parameters(wrong);

@@ -1,4 +1,4 @@
-//! What is found on meshes that name nothing: the parametric body turned, scaled, opened and posed otherwise.
+//! Measures found on meshes that name nothing: the parametric body turned, scaled, opened and posed otherwise.
 #![allow(clippy::unwrap_used)]
 
 use std::collections::BTreeMap;

@@ -4,7 +4,7 @@ use super::dice::Dice;
 use super::garments::Draped;
 use super::support::glb;
 
-/// What is done with a draped garment before it is laid flat.
+/// The edits of a draped garment before it is laid flat.
 pub struct Edit {
     pub kind: &'static str,
     /// The edit in words.

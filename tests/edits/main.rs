@@ -98,7 +98,7 @@ fn flattened(bench: &Bench, garment: &Draped, edit: &Edit) -> support::bench::Sa
     bench.run(&[])
 }
 
-/// What is wrong with a garment that was laid flat: no rest, flipped triangles, places that are no numbers.
+/// The faults of a garment that was laid flat: no rest, flipped triangles, places that are no numbers.
 fn wrong(bench: &Bench) -> Option<String> {
     let findings = bench.record()["findings"].as_array().cloned().unwrap_or_default();
     let restless = |f: &&Value| f["code"] == "flatten-not-at-rest";

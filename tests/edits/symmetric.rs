@@ -8,7 +8,7 @@ use toile_garment::outline::PointKind;
 use toile_garment::{Piece, Vec2, Vec3};
 use toile_stages::flatten::mirror::Reflection;
 
-/// What two sides of a written pattern may differ by, metres.
+/// The most by which two sides of a written pattern may differ, metres.
 const APART: f64 = 1e-5;
 /// How far a piece may be turned against its middle, radians: 0.01 mm on a metre.
 const TURNED: f64 = 1e-5;

@@ -163,7 +163,7 @@ fn it_is_told_from_other_protocols() {
     assert!(said.err.contains("speaks protocol 3, this program speaks 1 to 2"), "{}", said.err);
 }
 
-/// What `plan` foresees.
+/// The forecast of `plan`.
 fn plan(bench: &Bench, more: &[&str]) -> (Said, serde_json::Value) {
     let mut arguments: Vec<std::ffi::OsString> =
         vec!["plan".into(), bench.pipeline_file().into(), "--json".into(), "--allow-run".into(), "acme".into()];

@@ -1,4 +1,4 @@
-//! What the program does, seen from outside: one module for each command or promise.
+//! The behaviour of the program, seen from outside: one module for each command or promise.
 
 #[path = "../support/mod.rs"]
 mod support;

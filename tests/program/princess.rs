@@ -1,8 +1,8 @@
 //! A princess line over two darts sews to the same surface.
 //!
 //! Two drapes of one pattern on two meshes differ by millimetres, because cloth finds other folds. So the drape of
-//! the bodice with darts is carried onto other meshes of the same cloth, and each comes to rest from there: the
-//! bodice whose front is cut apart along the line, and the uncut one on a mesh that is a little finer. The parts of the
+//! the bodice with darts is carried onto other meshes of the same cloth, and each comes to rest from there. One is the
+//! bodice whose front is cut apart along the line, the other the uncut one on a mesh that is a little finer. The parts of the
 //! cut front, joined to one piece again on their own triangles, tell the effect of the seam from that of the mesh.
 //!
 //! `TOILE_EDGE="8 mm"` takes another mesh.
@@ -55,7 +55,7 @@ fn sewn(edge: f64, alter: Option<&str>) -> Garment {
     through(Garment::default(), &stages.into_iter().flatten().chain([STITCH]).collect::<Vec<_>>())
 }
 
-/// Is it the front, or a part that was cut off it?
+/// True for the front, and for a part that was cut off it.
 fn is_front(piece: &Piece) -> bool {
     piece.name == "FRONT" || piece.name.starts_with("SIDE")
 }

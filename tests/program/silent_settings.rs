@@ -1,4 +1,4 @@
-//! What a person writes and nothing acts on: each is told by `check`, and all at once.
+//! Settings that a person writes and nothing acts on: each is told by `check`, and all at once.
 
 use crate::support;
 use support::bench::{Bench, SKIRT_STAGES};
@@ -26,7 +26,7 @@ fn change(bench: &Bench, name: &str, from: &str, to: &str) {
     std::fs::write(file, text.replacen(from, to, 1)).expect("written");
 }
 
-/// What `check` finds, but for the notes on how the pattern was read.
+/// The findings of `check`, but for the notes on how the pattern was read.
 fn codes(bench: &Bench) -> Vec<String> {
     let all = bench.findings(&[]).into_iter().map(|found| found.0);
     all.filter(|code| !["dxf-profile", "ledger"].contains(&code.as_str())).collect()

@@ -21,7 +21,7 @@ const CODES: std::ops::RangeInclusive<i32> = 0..=5;
 pub struct Ended {
     pub exit: i32,
     pub reached_stitch: bool,
-    /// What should never be.
+    /// The faults that should never be.
     pub fault: Option<String>,
     codes: BTreeSet<String>,
 }
@@ -122,7 +122,7 @@ pub struct Tally {
     pub reached_stitch: usize,
     pub faults: usize,
     exits: BTreeMap<i32, usize>,
-    /// Of those that reached `stitch`.
+    /// The count of those that reached `stitch`.
     sewn_exits: BTreeMap<i32, usize>,
     codes: BTreeMap<String, usize>,
 }

@@ -7,7 +7,7 @@ use std::path::Path;
 /// The first stage that a picture does not need.
 const REST: &str = "[[stage]]\nuse = \"export-gltf\"";
 
-/// What draws the picture instead.
+/// The program that draws the picture instead.
 const PICTURE: &str = "[[stage]]
 use = \"export-picture\"
 with.file = \"{out}/garment.png\"

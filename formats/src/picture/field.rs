@@ -41,7 +41,7 @@ const RISING: [[f64; 3]; 5] =
     [[247.0, 246.0, 243.0], [253.0, 212.0, 158.0], [252.0, 141.0, 89.0], [215.0, 48.0, 31.0], [127.0, 0.0, 0.0]];
 
 impl Field {
-    /// What a quantity of this key tells of the fit, in the words of ISO 20947-2.
+    /// The meaning of this quantity for the fit, in the words of ISO 20947-2.
     #[must_use]
     pub fn heading(key: &str) -> &'static str {
         match key {

@@ -110,7 +110,7 @@ pub struct Fit {
     pub balance: Vec<Balance>,
     /// Points of measure of the house, in the order of their file.
     pub points: Vec<Point>,
-    /// What accuracy costs for this garment, where a study tells.
+    /// The cost of accuracy for this garment, where a study tells.
     pub accuracy: Option<Accuracy>,
 }
 

@@ -122,7 +122,7 @@ fn cells(garment: &Garment, row: &Row) -> Vec<Cell> {
     vec![Cell::Text(row.name.clone()), edge, way, joined(seams), joined(met)]
 }
 
-/// What the page says of a notch that is picked.
+/// The words of the page for a notch that is picked.
 pub fn words(row: &Row, language: Language) -> String {
     let mm = |x: f64| crate::svg::canvas::fixed(1e3 * x, 1);
     let mut out = match &row.edge {

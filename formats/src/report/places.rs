@@ -1,7 +1,7 @@
 //! Where in the garment a finding is: its words name pieces, edges, seams, darts and coordinates.
 //!
-//! Names stand in backticks after the word for their kind, such as ``seam `side-left` ``; an edge may also be written
-//! ``edge 3 of `FRONT` `` or `` `FRONT.3` ``, and a notch is `` `FRONT.n3` ``. Three coordinates are a place in space, two
+//! Names stand in backticks after the word for their kind, such as ``seam `side-left` ``. An edge may also be written
+//! ``edge 3 of `FRONT` `` or `` `FRONT.3` ``. A notch is `` `FRONT.n3` ``. Three coordinates are a place in space, two
 //! a place on a piece.
 
 use super::notches::pick_name;

@@ -87,7 +87,7 @@ pub struct Mark {
 pub struct Tag {
     /// Its text, as the drawing has it.
     pub text: String,
-    /// Is it that of a notch?
+    /// True for the one of a notch.
     pub is_notch: bool,
     /// Its piece, and the point in space and in the flat lay, metres.
     pub at: (usize, [f64; 5]),

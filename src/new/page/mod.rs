@@ -111,7 +111,7 @@ fn figure(
     viewer::figure(out, &figure, language);
 }
 
-/// What a person should do next.
+/// The next steps of a person.
 fn verdict(out: &mut String, source: &Source, proposal: &Proposal) {
     let count = |holds: &dyn Fn(f64) -> bool| proposal.seams.iter().filter(|s| holds(s.confidence)).count();
     let (open, look) = (count(&|c| c < LEAST_SURE), count(&|c| (LEAST_SURE..SURE).contains(&c)));

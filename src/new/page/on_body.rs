@@ -27,7 +27,7 @@ pub struct OnBody {
     pub numbers: Vec<Option<usize>>,
     /// The model as the page holds it; `None` where nothing has a place, or a piece cannot be meshed.
     pub model: Option<String>,
-    /// What the view knows besides.
+    /// The other facts that the view knows.
     pub scene: Scene,
 }
 

@@ -14,6 +14,15 @@ pub struct MeshSize {
     pub edge: f64,
 }
 
+/// Lengths along the edges of all pieces, metres. They tell how loose the cloth is: a wide hem is a long free edge.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct EdgeLengths {
+    /// Edges that no seam takes.
+    pub free: f64,
+    /// The sum of the differences between both sides of all seams.
+    pub gathered: f64,
+}
+
 impl MeshSize {
     /// Area of the cloth, m²: that of equilateral triangles with these edges.
     #[must_use]
@@ -58,6 +67,8 @@ pub struct Forecast {
     pub advice: Vec<String>,
     /// Size of the mesh, as soon as a stage can tell it.
     pub mesh: Option<MeshSize>,
+    /// Lengths along the edges of the pieces, as soon as a stage can tell them.
+    pub edges: Option<EdgeLengths>,
     /// Effects that will be simulated or left out, each with its rule and its evidence.
     pub effects: Vec<EffectRecord>,
 }

@@ -10,7 +10,7 @@ use serde::de::DeserializeOwned;
 use std::borrow::Cow;
 use toile_garment::{Aspect, Garment, Report};
 
-/// What a stage is called, what it needs and what it gives.
+/// Name of a stage, its needs and its results.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct StageInfo {
     /// Name in the pipeline, verb-noun in kebab case; a third party's is `vendor.stage`.

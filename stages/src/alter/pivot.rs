@@ -98,10 +98,10 @@ struct Slash {
     sides: [Vec<Vertex>; 2],
 }
 
-/// What the sides of a cut become once the dart is turned.
+/// The sides of a cut once the dart is turned.
 struct Joined {
     outline: Contour,
-    /// What is left of the dart, and the dart that opens.
+    /// The rest of the dart, and the dart that opens.
     darts: Vec<Dart>,
     /// Both ends of what opens at the cut.
     opened: [Vec2; 2],

@@ -7,6 +7,7 @@ mod runs;
 mod stitches;
 
 use crate::sewing::resolve::{Limits, ResolvedSeam, Side, judged};
+use crate::sewing::ring::Ring;
 use crate::sewing::shapes::{Shapes, shapes};
 use crate::solve::lines::fold_vertices;
 use runs::run_vertices;
@@ -18,7 +19,7 @@ use toile_garment::piece::PressedFold;
 use toile_garment::seam::{Seam, SeamKind, SeamRun, SeamSide};
 use toile_garment::units::Share;
 use toile_garment::{Aspect, DartId, Diagnostic, Garment, Piece, SeamId};
-use toile_stage_api::{Cost, Errors, Forecast, Stage, StageContext, StageError, StageInfo};
+use toile_stage_api::{Cost, EdgeLengths, Errors, Forecast, Stage, StageContext, StageError, StageInfo};
 
 /// Parameters of `assemble`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -57,7 +58,8 @@ impl Stage for Assemble {
         let limits = errors.keep(limits(params)).unwrap_or(Limits { max_ease: Params::default().max_ease.0 });
         // Outlines that are no outlines are told by the stage that meshes them.
         if let Ok(shapes) = shapes(&forecast.garment) {
-            errors.keep(judged(&forecast.garment, &shapes, &limits, cx.report).map_err(StageError::Parameter));
+            let seams = judged(&forecast.garment, &shapes, &limits, cx.report).map_err(StageError::Parameter);
+            forecast.edges = errors.keep(seams).map(|seams| edge_lengths(&shapes, &seams));
         }
         errors.finish()?;
         Ok(forecast.by_triangles(0.001, 0.001, 1.0))
@@ -110,6 +112,14 @@ fn limits(params: &Params) -> Result<Limits, StageError> {
 }
 
 /// A declared seam on the meshes.
+/// Lengths of free and of gathered edges.
+fn edge_lengths(shapes: &Shapes, seams: &[ResolvedSeam]) -> EdgeLengths {
+    let all: f64 = shapes.iter().filter_map(|s| s.rings.first()).map(Ring::without_gaps).sum();
+    let sewn: f64 = seams.iter().map(|s| s.a.length + s.b.length).sum();
+    let gathered = seams.iter().map(|s| (s.a.length - s.b.length).abs()).sum();
+    EdgeLengths { free: (all - sewn).max(0.0), gathered }
+}
+
 fn declared(garment: &Garment, shapes: &Shapes, seam: &ResolvedSeam) -> Result<Seam, Diagnostic> {
     let side = |side: &Side| -> Result<SeamSide, Diagnostic> {
         let mut runs = Vec::new();

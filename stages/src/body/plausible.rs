@@ -1,4 +1,4 @@
-//! What the side file of a body says, held against its mesh.
+//! The side file of a body, held against its mesh.
 
 use super::codes;
 use super::found::measured;

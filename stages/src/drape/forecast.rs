@@ -7,14 +7,22 @@ use toile_garment::garment::EffectRecord;
 use toile_garment::units::tidy;
 use toile_stage_api::Forecast;
 
-/// Mesh up to which the time grows with the triangles, thousands.
-const PROPORTIONAL_THOUSANDS: f64 = 12.0;
+/// Length of free edges, metres, from which cloth takes longer to fold: a fitted bodice has as much, a circle skirt three
+/// times that.
+const FREE_EDGES: f64 = 2.3;
+/// The share of [`FREE_EDGES`] that a metre of gathered edge counts for.
+const GATHERED_METRE: f64 = 1.4;
+/// The power of that share with which the time grows.
+const LOOSENESS_POWER: f64 = 2.4;
 
-/// How many times longer a triangle takes in a larger mesh. The sums of a factor of a sheet grow with the power 1.5 of its
-/// vertices; 40,000 triangles took 18 CPU seconds, and 100,000 took 40 to 53.
-pub(super) fn growth(forecast: &Forecast) -> f64 {
+/// CPU seconds of a drape for 1000 triangles.
+///
+/// The time of a mesh grows with the power 1.5 of its triangles, as the sums of a factor of a sheet do. How loose the cloth
+/// is counts as much. Evidence: `docs/lab/2026-12-01-forecasts-by-free-edges.md`.
+pub(super) fn seconds(forecast: &Forecast) -> f64 {
     let thousands = forecast.mesh.map_or(0.0, |m| m.triangles * 1e-3);
-    (thousands / PROPORTIONAL_THOUSANDS).max(1.0).sqrt()
+    let loose = forecast.edges.map_or(1.0, |e| (e.free / FREE_EDGES + GATHERED_METRE * e.gathered).max(1.0));
+    (0.028 + 0.001 * forecast.body_thousands()) * thousands.sqrt() * libm::pow(loose, LOOSENESS_POWER)
 }
 
 /// The effects of a drape with these parameters.

@@ -161,7 +161,7 @@ impl ExportDxfParams {
         Ok(WriteOptions { inches: self.units == DxfUnit::Inch, page: page.transpose()? })
     }
 
-    /// What is wrong, before anything is read.
+    /// The faults, before anything is read.
     fn faults(&self) -> Errors {
         let mut errors = Errors::default();
         errors.keep(self.options().map_err(|f| StageError::parameter(*f)));

@@ -23,7 +23,7 @@ const EDIT_WIDTH: f64 = 10.0;
 /// inside the triangles around a vertex, and the roughness is too small beside them to matter.
 const FRAME_FROM: f64 = 0.5;
 
-/// What is known of a surface.
+/// The facts about a surface.
 #[derive(Clone, Copy, Debug)]
 pub enum Surface<'a> {
     /// Nothing else.

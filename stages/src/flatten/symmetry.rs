@@ -4,9 +4,9 @@
 //! garment in 3D agrees. Where the edit was symmetric, the changes of both sides are averaged, so that they are the
 //! same. Folds fall differently on both sides, so the edit alone is compared: how far it moved mirrored points.
 //!
-//! What is compared are the lines that the pattern shows: the outline, darts and seams inside. A vertex there has
-//! another one at its mirrored place. Inside a piece it rarely has, and what is interpolated between vertices is off by
-//! the square of the mesh edge: 0.06 mm where a circle skirt on edges of 26 mm is made 8 % wider at its hem.
+//! The lines that the pattern shows are compared: the outline, darts and seams inside. A vertex there has another one at
+//! its mirrored place. Inside a piece it rarely has one. A shape between vertices is off by the square of the mesh edge:
+//! 0.06 mm where a circle skirt on edges of 26 mm is made 8 % wider at its hem.
 
 use super::align::Rigid;
 use super::features::{self, Features};

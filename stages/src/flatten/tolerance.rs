@@ -5,7 +5,7 @@ use super::params::FlattenTolerance;
 use toile_garment::flat::{Check, CheckKind, Flat, FlatPiece, PieceVerdict};
 use toile_garment::{Diagnostic, Garment, Report};
 
-/// What to do about a change that is too large.
+/// The remedy for a change that is too large.
 const REMEDY: &str = "lock it, take the 3D edit back there, or allow more";
 
 /// One change against its limit; both in the unit of the text.
@@ -33,7 +33,7 @@ pub fn judge(garment: &Garment, flat: &Flat, tolerance: &FlattenTolerance, repor
     over
 }
 
-/// What the verdict alone knows, as far as it was asked for.
+/// The facts that the verdict alone knows, as far as it was asked for.
 fn of_verdict(garment: &Garment, verdict: &PieceVerdict, t: &FlattenTolerance, report: &mut Report) -> usize {
     let name = garment.pieces.get(verdict.piece.index()).map_or("?", |p| p.name.as_str());
     let is_asked = |kind: CheckKind| match kind {

@@ -23,7 +23,7 @@ const NOTCH_NEAR: f64 = 30e-3;
 /// A station of a seam this near to a notch is the place of the notch, metres.
 const NOTCH_STATION: f64 = 15e-3;
 
-/// What is allowed. What shows whether the pieces can be sewn is judged always, and changes only where it is asked for.
+/// The tolerances. What shows whether the pieces can be sewn is judged always, and changes only where it is asked for.
 fn limit(kind: CheckKind, t: &FlattenTolerance) -> Option<f64> {
     match kind {
         CheckKind::Area => t.area.map(|s| s.0),
@@ -87,7 +87,7 @@ fn worst(all: Vec<Check>, t: &FlattenTolerance) -> Vec<Check> {
     out
 }
 
-/// What the piece shows by itself.
+/// The figures of the piece by itself.
 fn own(source: &Source<'_>, features: &Features, flat: &FlatPiece) -> Vec<Check> {
     let (rest, new) = (&source.mesh.rest, &flat.positions);
     let share = if flat.area[0] > 0.0 { flat.area[1] / flat.area[0] - 1.0 } else { 0.0 };
@@ -149,7 +149,7 @@ fn seams(garment: &Garment, flat: &Flat) -> Vec<(String, Vec<Beside>)> {
     declared.map(|s| (s.name.clone(), beside(s, &edges, &rest, &new))).collect()
 }
 
-/// What the seams of a piece show: its edges and its notches beside those of its partners.
+/// The figures of the seams of a piece: its edges and its notches beside those of its partners.
 fn beside_partner(source: &Source<'_>, seams: &[(String, Vec<Beside>)]) -> Vec<Check> {
     let (mut out, labels) = (Vec::new(), labels(source).collect::<Vec<_>>());
     for (name, stations) in seams {

@@ -28,7 +28,7 @@ impl Atom {
         self.parts.iter().flat_map(|p| p.points.windows(2).map(|w| w[1] - w[0]))
     }
 
-    /// Is it a lower edge? Such an edge runs from left to right with the cloth above it, across the warp.
+    /// True for a lower edge. Such an edge runs from left to right with the cloth above it, across the warp.
     pub fn is_low(&self) -> bool {
         self.is_across() && self.along[1] < 0.0
     }
@@ -46,7 +46,7 @@ pub struct Joint {
 }
 
 impl Joint {
-    /// Is it a corner of the outline?
+    /// True for a corner of the outline.
     pub fn is_corner(&self) -> bool {
         self.mark == Mark::Corner
     }

@@ -48,7 +48,7 @@ impl Cut {
         }
     }
 
-    /// Is it a corner that hardly turns? It marks a place on an edge, like a notch.
+    /// True for a corner that hardly turns. It marks a place on an edge, like a notch.
     pub fn is_flat_corner(&self, ring: &Ring) -> bool {
         self.mark == Mark::Corner && (self.angle(ring) - PI).abs() < tuning::FLAT_CORNER
     }

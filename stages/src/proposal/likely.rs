@@ -56,7 +56,7 @@ fn likely_band(layout: &Layout, names: &dyn Names) -> Option<usize> {
 
 /// Names, and what shapes tell beside them.
 pub struct Likely<'a> {
-    /// What the names tell.
+    /// The facts that names tell.
     pub names: &'a dyn Names,
     /// The pieces of the sleeves.
     pub sleeves: Vec<usize>,

@@ -1,7 +1,7 @@
 //! Pleats that a pattern draws: two notches on an edge between which the cloth is folded away.
 //!
 //! Where a line starts at both notches, the lines are folds. Without lines the lengths tell it: an edge across the grain
-//! is longer than a whole edge of another piece by just what lies between such notches, as the back of a shirt is longer
+//! is longer than a whole edge of another piece by just what lies between such notches. So the back of a shirt is longer
 //! than its yoke, and the end of a sleeve longer than its cuff.
 
 use super::atoms::{Atom, Layout, Mark};

@@ -18,7 +18,7 @@ pub struct PiecePoint {
     pub piece: usize,
     /// In its coordinates, m.
     pub at: Vec2,
-    /// Whether it lies on a line inside the piece, and not on its outline.
+    /// True where it lies on a line inside the piece, and not on its outline.
     pub is_inside: bool,
 }
 

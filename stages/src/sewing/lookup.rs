@@ -26,7 +26,7 @@ pub struct RawRun {
     pub from: f64,
     /// Arc position at which it ends.
     pub to: f64,
-    /// Is it walked forward (counter-clockwise on the outline)?
+    /// True where it is walked forward (counter-clockwise on the outline).
     pub forward: bool,
     /// Does the file state the direction (two points), or was `forward` only assumed (an edge)?
     pub stated: bool,

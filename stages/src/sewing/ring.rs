@@ -171,6 +171,13 @@ impl Ring {
         if d >= total || total - d < SAME { 0.0 } else { d }
     }
 
+    /// Length of the line without the intakes on it, metres.
+    #[must_use]
+    pub fn without_gaps(&self) -> f64 {
+        let taken = self.gaps.iter().map(|g| self.ahead(self.arc[g.from], self.arc[g.to]));
+        self.total() - taken.sum::<f64>()
+    }
+
     /// The point at an arc position; positions beyond the ends wrap.
     #[must_use]
     pub fn at(&self, s: f64) -> Vec2 {

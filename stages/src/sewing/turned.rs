@@ -3,8 +3,8 @@
 use super::codes;
 use toile_garment::{Diagnostic, Vec3};
 
-/// What is left of the length of all stitches together, at most, where they are those of a seam named the wrong way round and
-/// one side is turned. So little that a seam named right between pieces placed askew is never meant.
+/// The most that is left of the length of all stitches together, where they are those of a seam named the wrong way
+/// round and one side is turned. So little that a seam named right between pieces placed askew is never meant.
 const SHORTER: f64 = 0.7;
 /// Fewest stitches that have a direction.
 const FEWEST: usize = 3;

@@ -7,7 +7,7 @@ use toile_garment::units::Acceleration;
 /// Largest gravity, m/s². Hard cases go to 1,000; 9,810 are the earth's in millimetres.
 const GRAVITY_MOST: f64 = 5000.0;
 
-/// What is wrong with a gravity.
+/// The fault of a gravity.
 pub fn gravity(gravity: Acceleration) -> Option<Diagnostic> {
     if (0.0..=GRAVITY_MOST).contains(&gravity.0) {
         return None;

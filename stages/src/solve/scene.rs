@@ -44,7 +44,7 @@ impl Layout {
         self.spans.get(v.piece.index()).map_or(u32::MAX, |s| s.0.saturating_add(v.vertex))
     }
 
-    /// What belongs to all vertices, such as their positions, in the solver's order.
+    /// The values of all vertices, such as their positions, in the solver's order.
     #[must_use]
     pub fn join<T: Copy>(&self, per_piece: &[Vec<T>]) -> Vec<T> {
         self.order.iter().filter_map(|i| per_piece.get(*i)).flatten().copied().collect()

@@ -1,4 +1,4 @@
-//! What a plan of sewing says of a body that could be read in part.
+//! The part of a sewing plan that speaks of a body which could be read in part.
 
 use toile_formats::body::Unread;
 use toile_garment::sewing::{Placement, SewingPlan};

@@ -67,8 +67,8 @@ pub fn body(path: &Path, cx: &mut StageContext<'_>) -> Result<Body, StageError> 
     errors.finish().map(|()| body)
 }
 
-/// As much of a body and its side file as can be read, and the names that cannot. A mesh that is not there or wrong has no
-/// triangle.
+/// The readable part of a body and its side file, and the names that cannot be read. A mesh that is not there or wrong
+/// has no triangle.
 fn sound_body(path: &Path, errors: &mut Errors, cx: &mut StageContext<'_>) -> (Body, Unread) {
     let bytes = errors.keep(cx.files.read(path));
     let side_path = path.with_extension("toml");

@@ -223,7 +223,7 @@ fn check_clearance(params: &StitchParams) -> Result<(), StageError> {
     Err(StageError::parameter(Diagnostic::error(SETTING_OUT_OF_RANGE, message)))
 }
 
-/// What is wrong with the plan of sewing, as far as it can be told without a mesh. While something in the files is in doubt,
+/// The faults of the plan of sewing, as far as it can be told without a mesh. While something in the files is in doubt,
 /// nothing is said that follows from the whole, and of a body without a mesh only the names.
 fn plan_faults(garment: &Garment, clearance: f64, in_doubt: bool) -> Vec<Diagnostic> {
     if garment.body.as_ref().is_some_and(|body| body.triangles.is_empty()) {

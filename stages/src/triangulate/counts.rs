@@ -139,7 +139,7 @@ fn each(net: &Net, mut act: impl FnMut((usize, usize), usize, &Curve)) {
     }
 }
 
-/// What one stretch asks for.
+/// The request of one stretch.
 fn wanted(c: &Curve, s: usize, h: f64) -> usize {
     let (_, length) = c.stretch(s);
     let by_length = (length / h).round().max(1.0);

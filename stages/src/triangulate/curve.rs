@@ -3,7 +3,7 @@
 use crate::sewing::ring::{Ring, SAME, along, arcs, nearest_on};
 use toile_garment::Vec2;
 
-/// What a curve of a piece is.
+/// The kinds of curves of a piece.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CurveKind {
     /// The outline, wedge darts notched out.
@@ -30,13 +30,13 @@ impl CurveKind {
 /// A line with arc length and breaks: arc positions that must be vertices, rising.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Curve {
-    /// What it is.
+    /// Its kind.
     pub kind: CurveKind,
     /// Points; a closed curve does not repeat the first.
     pub points: Vec<Vec2>,
     /// Arc positions of the points; closed curves hold the total as well.
     pub arc: Vec<f64>,
-    /// Is it closed?
+    /// True for a closed one.
     pub closed: bool,
     /// Arc positions that must be vertices, rising; ends of open curves among them.
     pub breaks: Vec<f64>,

@@ -16,7 +16,7 @@ const MOST: f64 = 5e6;
 const PIECE: std::ops::RangeInclusive<f64> = 0.02..=3.5;
 /// Usual size of the largest piece, m.
 const USUAL: f64 = 0.8;
-/// What a file's unit may be and what it was taken for: factor on the lengths.
+/// Mistaken units of a file, with the factor on the lengths.
 const UNITS: [(&str, f64); 5] = [
     ("millimetres taken for metres", 1e-3),
     ("millimetres taken for inches", 1.0 / 25.4),

@@ -260,8 +260,8 @@ fn led(lab: &mut Lab, start: impl Fn(f64) -> [f64; 2]) -> Result<Draped, String>
     lab.settles(&Trial::new(cloth, Cloth::linear(0.08, 20_000.0, 8_000.0, 3e-4)).over(table).lead(edge, to))
 }
 
-/// Friction holds μ w L = 0.07 N/m. To push a sheet out of its plane takes more: about 2 π² B/λ² = 0.6 N/m, where
-/// λ = (24 B h/w)^(1/4) = 0.1 m of it are lifted by an edge at h = 12 mm. So it is pulled along and stays flat.
+/// Friction holds μ w L = 0.07 N/m. To push a sheet out of its plane takes more: about 2 π² B/λ² = 0.6 N/m. An edge at
+/// h = 12 mm lifts λ = (24 B h/w)^(1/4) = 0.1 m of it. So it is pulled along and stays flat.
 fn led_from_flat(lab: &mut Lab) -> Result<(), String> {
     let rest = led(lab, |v| [v - 0.14, 1.2e-3])?;
     let farthest = rest.at.iter().map(|p| p.y).fold(f64::INFINITY, f64::min);

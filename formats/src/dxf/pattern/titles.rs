@@ -13,7 +13,7 @@ use toile_garment::{Diagnostic, Vec2};
 /// Most rectangles that are looked at.
 const RECTANGLES: usize = 200;
 
-/// What a title block is made of.
+/// The parts of a title block.
 #[derive(Default)]
 struct Block {
     /// Numbers of its rectangles among the closed lines.

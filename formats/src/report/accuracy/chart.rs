@@ -66,7 +66,7 @@ impl Axis {
 /// One point of a panel.
 struct Dot<'a> {
     point: &'a Point,
-    /// Is it the drape of the page?
+    /// True for the drape of the page.
     is_here: bool,
     x: f64,
     y: f64,

@@ -1,4 +1,4 @@
-//! What accuracy costs for the garment of a page, as a study found it.
+//! The cost of accuracy for the garment of a page, as a study found it.
 //!
 //! A study is shown only where it is of this very garment: the same files, and the same parameters up to the drape but
 //! for those that a study varies.
@@ -55,15 +55,15 @@ pub struct Point {
     pub preset: Option<String>,
     /// The error that the preset promises, mm.
     pub promised_mm: Option<f64>,
-    /// Is it the one by which the others are measured?
+    /// True for the one by which the others are measured.
     pub is_finest: bool,
-    /// Is it recommended?
+    /// True where it is recommended.
     pub is_recommended: bool,
     /// Energy of its drape, J, by which the drape is known again.
     pub energy_j: Option<f64>,
 }
 
-/// What a garment is made of, up to its drape.
+/// The stages and inputs that a garment is made of, up to its drape.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Origin {
     /// Program version.
@@ -90,7 +90,7 @@ impl Origin {
         }
     }
 
-    /// What of a garment is not as it was, in words; `None` where all is.
+    /// The part of a garment that is not as it was, in words; `None` where all is.
     #[must_use]
     pub fn changed(&self, garment: &Garment) -> Option<String> {
         let past = &garment.provenance;

@@ -1,4 +1,4 @@
-//! What moves, how it is stepped, and what comes out.
+//! The moving parts, the steps in time, and the result.
 
 use crate::scene::validate;
 use crate::{BodyMesh, ClothError, EffectReport, SceneFault, Vec3};
@@ -37,7 +37,7 @@ impl Default for Dynamics {
     }
 }
 
-/// What is asked for.
+/// The request.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Motion {
     /// Frames in a second.

@@ -77,7 +77,8 @@ impl Law {
         Self { inverse_step: 1.0 / step, step, cells: self::cells(&tangent, step), lock }
     }
 
-    /// What measured samples carry over a straight line of their smallest slope. `None` where there are no samples.
+    /// The force that measured samples carry over a straight line of their smallest slope. `None` where there are no
+    /// samples.
     pub fn above_least_slope(curve: &Curve, cap: f64) -> Option<Self> {
         let above = curve.above_least_slope()?;
         let reach = above.last()?[0];

@@ -157,11 +157,11 @@ impl<'a> Descent<'a> {
             Change::Nothing => {}
             Change::LaggedForces => self.energy = self.objective.evaluate_again(&self.x, &mut self.f),
             Change::Energy => {
-                self.history.clear();
+                self.history.forget();
                 self.evaluate();
             }
             Change::Stiffness => {
-                self.history.clear();
+                self.history.forget();
                 self.evaluate();
                 self.preconditioner.renew();
             }

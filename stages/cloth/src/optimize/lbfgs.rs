@@ -14,7 +14,7 @@ pub(crate) fn dot(a: &[Vec3], b: &[Vec3]) -> f64 {
 }
 
 impl Lbfgs {
-    pub fn clear(&mut self) {
+    pub fn forget(&mut self) {
         self.pairs.clear();
     }
 

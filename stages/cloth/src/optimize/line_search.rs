@@ -61,7 +61,7 @@ impl Descent<'_> {
         let factor = &mut self.preconditioner.factor;
         let mut d = self.history.direction(&self.f, |q| factor.solve(q));
         if dot(&d, &self.f) <= 0.0 || d.iter().any(|v| !v.iter().all(|c| c.is_finite())) {
-            self.history.clear();
+            self.history.forget();
             d = self.f.clone();
             factor.solve(&mut d);
         }

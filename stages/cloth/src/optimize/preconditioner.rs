@@ -6,7 +6,7 @@ use crate::linear::factor::Factor;
 /// The factor, and what is known of it.
 pub(crate) struct Preconditioner {
     pub factor: Factor,
-    /// Is it the factor of the full Hessian, without projection to a convex one?
+    /// True for the factor of the full Hessian, without projection to a convex one?
     pub is_full: bool,
     /// Every block takes a new factor of the convex Hessian, as time steps do.
     pub always_convex: bool,

@@ -1,6 +1,6 @@
 //! The tasks that a descent is built for.
 
-/// What a descent is to reach. The task decides which terms the objective has and which mechanisms act.
+/// The goal of a descent. The task decides which terms the objective has and which mechanisms act.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Task {
     /// Close the stitches: a stitch penalty pulls every pair together.

@@ -55,7 +55,7 @@ impl Curve {
         }
     }
 
-    /// What measured samples carry over a straight line of their smallest slope; `None` where there are none.
+    /// The force that measured samples carry over a straight line of their smallest slope; `None` where there are none.
     pub(crate) fn above_least_slope(&self) -> Option<Vec<[f64; 2]>> {
         let Self::Samples(points) = self else { return None };
         let slope = points.windows(2).map(|w| (w[1][1] - w[0][1]) / (w[1][0] - w[0][0])).fold(f64::INFINITY, f64::min);

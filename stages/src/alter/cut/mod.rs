@@ -238,7 +238,7 @@ impl Sides<'_, '_> {
         out
     }
 
-    /// What stays of the darts that the line cuts in two: wedges with their mouth on the new seam.
+    /// The rest of the darts that the line cuts in two: wedges with their mouth on the new seam.
     fn tips(&self, side: usize, group: &Group) -> Vec<Dart> {
         let mut out = Vec::new();
         for (k, crossing) in self.drawn.crossings.iter().enumerate() {
@@ -276,7 +276,7 @@ impl Sides<'_, '_> {
         darts.fold(cut, |told, (crossing, dart)| told + &self.told_of(crossing, dart, names))
     }
 
-    /// What became of a dart that the line cuts in two.
+    /// The fate of a dart that the line cuts in two.
     fn told_of(&self, crossing: &line::Crossing<'_>, dart: &Dart, names: &[Vec<String>; 2]) -> String {
         let name = &dart.name;
         if crossing.open.gap.is_none() {

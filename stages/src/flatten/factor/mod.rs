@@ -36,7 +36,7 @@ struct Target {
     at: usize,
     /// Numbers from one column to the next.
     stride: usize,
-    /// Is it stored transposed?
+    /// True where it is stored transposed.
     mirrored: bool,
 }
 

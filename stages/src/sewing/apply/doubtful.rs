@@ -1,5 +1,6 @@
-//! What a wrong table leaves in doubt: seams on a piece whose copy is wrong, on an edge whose name is, and on a numbered
-//! edge of a piece whose dart is. The others are looked at all the same, so that all mistakes are told at once.
+//! The entries that a wrong table leaves in doubt: seams on a piece whose copy is wrong, on an edge whose name is, and
+//! on a numbered edge of a piece whose dart is. The others are looked at all the same, so that all mistakes are told
+//! at once.
 
 use crate::sewing::lookup;
 use std::collections::{BTreeMap, BTreeSet};

@@ -19,7 +19,7 @@ pub struct Span {
     pub from: f64,
     /// Arc position at which it ends.
     pub to: f64,
-    /// Is it walked forward?
+    /// True where it is walked forward.
     pub forward: bool,
     /// Length, metres.
     pub length: f64,

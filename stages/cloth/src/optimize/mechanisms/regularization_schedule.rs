@@ -32,7 +32,7 @@ impl RegularizationSchedule {
         let large_at_rest = d.is_large() && at_rest;
         let r = &mut d.regularization;
         if b.stuck && b.steps == 0 {
-            d.history.clear();
+            d.history.forget();
             r.tau = (r.tau * TAU_AFTER_STUCK_BLOCK.get()).max(TAU_LEAST.get());
         } else if b.mean > WHOLE_BLOCK_PART.get() {
             // Near rest the shift of large cloth has lost its use, and every new τ takes a factorisation.
