@@ -80,8 +80,24 @@ fn report_error(cx: &mut Reader<'_>, message: &str, span: &Range<usize>, schema:
         cx.push(codes::MISSING_KEY, span, format!("`{owner}` needs `{key}`"), hint);
         return;
     }
+    let message = &in_plain_words(message);
     let hint = expected_hint(message).unwrap_or_else(|| format!("see `toile stages {owner}` for its parameters"));
     cx.push(code_of(message), span, format!("`{owner}`: {message}"), hint);
+}
+
+/// The parser's words with those of a programmer exchanged for those of a user.
+fn in_plain_words(message: &str) -> String {
+    const WORDS: [(&str, &str); 8] = [
+        ("expected u8", "expected a whole number"),
+        ("expected u16", "expected a whole number"),
+        ("expected u32", "expected a whole number"),
+        ("expected u64", "expected a whole number"),
+        ("expected usize", "expected a whole number"),
+        ("expected f64", "expected a number"),
+        ("invalid type: string", "invalid type: the text"),
+        ("expected a boolean", "expected true or false"),
+    ];
+    WORDS.iter().fold(message.to_owned(), |said, (word, plain)| said.replace(word, plain))
 }
 
 /// The finding of a value that a parser refused in these words, outside a pipeline.

@@ -109,6 +109,20 @@ fn edges_of_good_pieces_are_listed_beside_a_bad_one() {
     assert_eq!(json(&toile(&[&"inspect", &file, &"--json"]))["edges"].as_array().map(Vec::len), Some(4));
 }
 
+/// A piece that no stage takes is told, and a file whose name breaks the line is shown in one.
+#[test]
+fn a_piece_out_of_reach_and_a_name_of_two_lines() {
+    let dir = tempfile::tempdir().expect("folder");
+    let file = dir.path().join("two\nlines.dxf");
+    let good = [[0.0, 0.0], [300.0, 0.0], [300.0, 400.0], [0.0, 400.0]];
+    let far = good.map(|[x, y]| [x + 1e7, y]);
+    std::fs::write(&file, pattern(&[("A", good), ("B", far)])).expect("pattern");
+    let said = toile(&[&"inspect", &file]);
+    assert!(said.err.contains("error[coordinate-out-of-range] piece `B`"), "{said:?}");
+    assert!(said.out.contains("\nA.0 ") && !said.out.contains("\nB.0 "), "{said:?}");
+    assert!(said.out.contains("two\\nlines.dxf"), "{said:?}");
+}
+
 /// The rule table beside a pattern is found whatever the case of its name.
 #[test]
 fn the_rule_table_beside_a_pattern_counts() {

@@ -36,10 +36,10 @@ pub fn parse<D: Dimension>(text: &str) -> Result<f64, UnitError> {
         .map_or(text.len(), |(i, _)| i);
     let (number, unit) = (text[..split].trim(), text[split..].trim());
     let value: f64 = number.parse().map_err(|_| UnitError {
-        message: format!("`{text}` is not a {}; write a number and a unit, e.g. \"{}\"", D::NAME, D::EXAMPLE),
+        message: format!("`{text}` is no {}; write a number and a unit, e.g. \"{}\"", D::NAME, D::EXAMPLE),
     })?;
     if !value.is_finite() {
-        return Err(UnitError { message: format!("`{text}` is not a finite {}", D::NAME) });
+        return Err(UnitError { message: format!("`{text}` is no finite {}", D::NAME) });
     }
     if unit.is_empty() {
         let hint = D::UNITS.iter().map(|(u, _)| *u).collect::<Vec<_>>().join(", ");

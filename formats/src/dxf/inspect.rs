@@ -352,7 +352,7 @@ fn text(pattern: &Pattern, table: Option<&RuleTable>) -> String {
         &mut out,
         format!(
             "{}  style {}  units {} ({} mm)  text {}",
-            pattern.file,
+            toile_garment::text::shown(&pattern.file, &[]),
             or(&pattern.style),
             or(&pattern.units.declared),
             pattern.units.mm_per_unit,
@@ -369,8 +369,8 @@ fn text(pattern: &Pattern, table: Option<&RuleTable>) -> String {
     say(
         &mut out,
         format!(
-            "{:<24} {:<8} {:>10} {:>10} {:>5} {:>5} {:>7} {:>6} {:>5}",
-            "piece", "size", "area cm2", "edge mm", "pts", "darts", "notches", "drills", "fold"
+            "{:<24} {:<8} {:>9} {:>9} {:>9} {:>5} {:>5} {:>5} {:>7} {:>6} {:>5}",
+            "piece", "size", "cut cm2", "sewn cm2", "cut mm", "count", "pts", "darts", "notches", "drills", "fold"
         ),
     );
     let rows = pattern.pieces.iter().map(row).collect();
@@ -397,14 +397,16 @@ fn text(pattern: &Pattern, table: Option<&RuleTable>) -> String {
 /// A piece in one line of the table.
 fn row(p: &DrawnPiece) -> String {
     let line = p.boundary.positions();
-    let (area, length) = (geom::area(&line).abs() / 100.0, geom::length(&line, true));
+    let area = |line: &[Vec2]| geom::area(line).abs() / 100.0;
     let size = p.size.clone().unwrap_or_else(|| "-".to_owned());
     let row = format!(
-        "{:<24} {:<8} {:>10.2} {:>10.1} {:>5} {:>5} {:>7} {:>6} {:>5}",
+        "{:<24} {:<8} {:>9.2} {:>9.2} {:>9.1} {:>5} {:>5} {:>5} {:>7} {:>6} {:>5}",
         p.label(),
         size,
-        area,
-        length,
+        area(&line),
+        area(&p.sewn().positions()),
+        geom::length(&line, true),
+        p.texts.quantity.plain + p.texts.quantity.mirrored,
         line.len(),
         p.darts.len(),
         p.notches.len(),
@@ -417,6 +419,11 @@ fn row(p: &DrawnPiece) -> String {
 /// A piece that cannot be used, in one line of the table.
 fn refused_row(p: &RefusedPiece) -> String {
     let size = p.size.clone().unwrap_or_else(|| "-".to_owned());
-    let codes: Vec<&str> = p.faults.iter().map(|f| f.code.as_str()).collect();
+    let mut codes: Vec<&str> = Vec::new();
+    for fault in &p.faults {
+        if !codes.contains(&fault.code.as_str()) {
+            codes.push(fault.code.as_str());
+        }
+    }
     format!("{:<24} {:<8} cannot be used: {}", p.label(), size, codes.join(", "))
 }

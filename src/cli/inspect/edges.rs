@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 use std::fmt::Write as _;
-use toile_garment::Garment;
+use toile_garment::{Diagnostic, Garment, Piece};
 use toile_stages::sewing::edges::{Edge, as_long, edges};
 use toile_stages::sewing::shapes::{shape, shapes};
 
@@ -33,16 +33,21 @@ pub(super) fn table(garment: &Garment) -> Option<(String, Value)> {
     Some((text, all.iter().map(|e| value(&all, e)).collect()))
 }
 
+/// Why pieces cannot be sewn: their outlines, and the mouths of their darts.
+pub(super) fn faults(garment: &Garment) -> Vec<Diagnostic> {
+    garment.pieces.iter().flat_map(|piece| faults_of(piece, garment)).collect()
+}
+
+fn faults_of(piece: &Piece, garment: &Garment) -> Vec<Diagnostic> {
+    let mut errors = Vec::new();
+    shape(piece, &garment.plan, &mut errors);
+    errors
+}
+
 /// The garment without pieces whose outline cannot be sewn.
 fn with_shape(garment: &Garment) -> Garment {
-    let mut garment = garment.clone();
-    let plan = garment.plan.clone();
-    garment.pieces.retain(|piece| {
-        let mut errors = Vec::new();
-        shape(piece, &plan, &mut errors);
-        errors.is_empty()
-    });
-    garment
+    let sound = garment.pieces.iter().filter(|piece| faults_of(piece, garment).is_empty());
+    Garment { pieces: sound.cloned().collect(), ..garment.clone() }
 }
 
 fn fits<'e>(all: &'e [Edge], edge: &Edge) -> impl Iterator<Item = &'e Edge> {

@@ -27,7 +27,7 @@ pub(super) fn dxf(source: &Source<'_>) -> Result<Inspected, Vec<Diagnostic>> {
     let inspection = dxf::inspect(source.bytes, source.name, bytes.as_deref())?;
     let table = bytes.as_deref().and_then(|b| rul::read(b, source.name).ok());
     let svg = source.draw.then(|| drawing(&inspection, table.as_ref(), source.name));
-    let findings = inspection.pattern.told_findings();
+    let mut findings = inspection.pattern.told_findings();
     let is_usable = inspection.pattern.is_usable();
     // The findings go to stderr, so that a table piped elsewhere is a table.
     let listed: String = findings.iter().map(|f| format!("{f}\n")).collect();
@@ -36,7 +36,9 @@ pub(super) fn dxf(source: &Source<'_>) -> Result<Inspected, Vec<Diagnostic>> {
     let garment = inspection.pattern.to_garment(None, table.as_ref());
     // A bad piece does not keep the others from being listed.
     let garment = garment.or_else(|_| inspection.pattern.of_sound_pieces().to_garment(None, table.as_ref()));
-    let tables = garment.ok().map(|(g, _)| [("edges", edges::table(&g)), ("darts", darts::table(&g))]);
+    let garment = garment.ok().map(|(garment, _)| garment);
+    findings.extend(garment.as_ref().map(edges::faults).unwrap_or_default());
+    let tables = garment.map(|g| [("edges", edges::table(&g)), ("darts", darts::table(&g))]);
     for (key, table) in tables.into_iter().flatten() {
         if let Some((rows, values)) = table {
             text.push_str(&rows);

@@ -71,6 +71,9 @@ codes! {
     /// pattern, or declare `ease` or `gather`. Exit code 2.
     SEAM_LENGTHS_DIFFER = "seam-lengths-differ";
 
+    /// Two seams have one name, so a report and a comparison of runs cannot tell them apart. Give each its own.
+    SEAM_NAME_REPEATS = "seam-name-repeats";
+
     /// The notches of the two sides do not match. The seam is sewn by length; check that the right edges are sewn.
     SEAM_NOTCHES_DIFFER = "seam-notches-differ";
 

@@ -67,9 +67,14 @@ pub fn piece(garment: &Garment, name: &str, at: Option<&SourceRef>) -> Result<Pi
         }
         _ => {
             let names: Vec<_> = garment.pieces.iter().map(|p| p.name.as_str()).collect();
-            Err(Diagnostic::error(PIECE_UNKNOWN, format!("there is no piece `{name}`"))
-                .at(at.cloned())
-                .hint(nearest(name, &names)))
+            let is_left_out = garment.plan.leave_out.iter().any(|out| out.eq_ignore_ascii_case(name));
+            let (message, hint) = if is_left_out {
+                let hint = "take it out of `leave_out`, or remove what names it";
+                (format!("piece `{name}` is left out of the garment"), hint.to_owned())
+            } else {
+                (format!("there is no piece `{name}`"), nearest(name, &names))
+            };
+            Err(Diagnostic::error(PIECE_UNKNOWN, message).at(at.cloned()).hint(hint))
         }
     }
 }

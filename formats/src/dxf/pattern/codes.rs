@@ -8,6 +8,10 @@ codes! {
     /// Two blocks have the same name. Both pieces are kept and told apart by a number.
     BLOCK_NAME_REPEATS = "block-name-repeats";
 
+    /// Blocks with an outline are placed by no INSERT, though other blocks are. They were read as pieces all the same.
+    /// Leave out what is not meant with `pieces` of `import-dxf`.
+    BLOCK_NOT_INSERTED = "block-not-inserted";
+
     /// A block holds nothing on the boundary layers (1, or 14), so it is no piece and was left out. Check the layers,
     /// or map them with `layers` of `import-dxf`.
     BLOCK_WITHOUT_OUTLINE = "block-without-outline";

@@ -349,8 +349,28 @@ impl<'a> Walk<'a, '_> {
         }
     }
 
-    /// Says how INSERTs changed pieces, and which names repeat.
+    /// Says which pieces no INSERT places, where others have one. They are read all the same.
+    fn say_not_inserted(&mut self) {
+        let is_placed = |i: &Inserted| i.plain + i.mirrored > 0;
+        if !self.out.iter().any(is_placed) {
+            return;
+        }
+        let has_none = |(block, i): &(&Block, &Inserted)| !is_placed(i) && !i.part && !i.assembly && (self.own)(block);
+        let without: Vec<&Block> = self.blocks.iter().zip(&self.out).filter(has_none).map(|(block, _)| block).collect();
+        let Some(first) = without.first() else { return };
+        let text = format!(
+            "{} block(s) with an outline are not placed by an INSERT, as `{}`; they were read as pieces all the same",
+            without.len(),
+            first.name
+        );
+        let place = self.findings.place_in(&first.name, None, first.line);
+        let finding = Diagnostic::info(codes::BLOCK_NOT_INSERTED, text).at(place);
+        self.findings.push(finding.hint("leave pieces that are not meant out with `pieces` of `import-dxf`"));
+    }
+
+    /// Says how INSERTs changed pieces, which pieces have none, and which names repeat.
     fn say(&mut self) {
+        self.say_not_inserted();
         for (block, inserted) in self.blocks.iter().zip(&self.out) {
             let place = self.findings.place_in(&block.name, None, block.line);
             let turned = inserted.chain.iter().any(|p| libm::fmod(p.angle.abs(), std::f64::consts::TAU) > 1e-8);

@@ -8,6 +8,7 @@ use crate::dxf::grade;
 use crate::dxf::sheet::Note;
 use crate::dxf::texts;
 use std::collections::BTreeSet;
+use toile_garment::piece::Quantity;
 use toile_garment::{Diagnostic, Vec2};
 
 /// A rule belongs to a vertex this far off if there is no other, mm.
@@ -59,6 +60,7 @@ impl DrawnPiece {
         self.inside.not_mirrored =
             self.inside.internal.iter().map(|p| starts(p).iter().any(|s| not_mirrored.has(*s, 0.05))).collect();
         self.check_quantities(&notes, desk);
+        let inserted = self.texts.quantity_told.then_some(self.texts.quantity);
         let fabric =
             notes.iter().find(|n| texts::key_value(&n.text).is_some_and(|(key, v)| key == "fabric" && !v.is_empty()));
         let fabric = fabric.cloned();
@@ -75,6 +77,7 @@ impl DrawnPiece {
                 self.texts.others.push((note.at, note.layer, note.text));
             }
         }
+        self.check_count(inserted, desk);
         // A piece has one material: a fabric beside it stays a text.
         let beside = fabric.filter(|_| self.texts.keys.get("material").is_some_and(|m| !m.is_empty()));
         if let Some(note) = beside
@@ -113,6 +116,25 @@ impl DrawnPiece {
             );
             let hint = "take the wrong one out of the block";
             desk.say(Diagnostic::warning(codes::TEXT_CONTRADICTS, text).hint(hint), &self.block, "1", self.line);
+        }
+    }
+
+    /// Says that a text gives another quantity than the INSERTs, and that nothing is to be cut.
+    fn check_count(&self, inserted: Option<Quantity>, desk: &mut Desk<'_>) {
+        let told = self.texts.quantity;
+        if let Some(counted) = inserted.filter(|counted| *counted != told) {
+            let text = format!(
+                "block `{}` is inserted {} times, and its text `Quantity` says {}; the text counts",
+                self.block,
+                counted.plain + counted.mirrored,
+                told.plain + told.mirrored
+            );
+            desk.say(Diagnostic::info(codes::TEXT_CONTRADICTS, text), &self.block, "1", self.line);
+        }
+        if told.plain + told.mirrored == 0 {
+            let text = format!("`{}`: its quantity is 0: nothing of it is cut; it was read all the same", self.label());
+            let hint = "leave it out with `pieces` of `import-dxf`, or correct its text `Quantity`";
+            desk.say(Diagnostic::info(codes::QUANTITY_UNCLEAR, text).hint(hint), &self.block, "1", self.line);
         }
     }
 

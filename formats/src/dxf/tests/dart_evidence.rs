@@ -161,6 +161,7 @@ fn a_place_for_a_godet_is_none_although_it_is_marked() {
     let text = piece(&line, |w| notched(w, &[SLIT[0], SLIT[2]]).point("13", 250.0, 290.0));
     assert_eq!(outcome(&text), (vec![], 1), "without the insert its marks count");
     let text = text.replacen("  0\nENDBLK\n", &format!("  0\nENDBLK\n{godet}"), 1);
+    let text = inserting(&text, "GODET");
     assert_eq!(outcome(&text), (vec!["wedge-not-a-dart".to_owned()], 0));
 }
 
@@ -177,6 +178,7 @@ fn a_dart_of_another_piece_is_no_insert() {
     let w = w.polyline("1", true, &lining).points("2", &lining).line("7", (560.0, 50.0), (560.0, 200.0));
     let lining = w.pair(0, "ENDBLK").0;
     let text = shell.replacen("  0\nENDBLK\n", &format!("  0\nENDBLK\n{lining}"), 1);
+    let text = inserting(&text, "LINING");
     assert_eq!(outcome(&text), (vec![], 1));
 }
 
@@ -187,7 +189,7 @@ fn a_nest_tells_the_undecided_darts_of_the_size_that_is_asked_for() {
     let w = w.polyline("1", true, &small).points("2", &small).line("7", (60.0, 150.0), (60.0, 450.0));
     let text = piece(&top(&NEEDLE), |w| w);
     let nest = text.replacen("  0\nENDBLK\n", &format!("  0\nENDBLK\n{}  0\nENDBLK\n", w.0), 1);
-    let pattern = good(&nest);
+    let pattern = good(&inserting(&nest, "FRONT_36"));
     assert_eq!(codes(&pattern.findings), [DART_UNDECIDED.name(); 2]);
     for (size, y) in [("36", 0.369), ("38", 0.41)] {
         let told = pattern.undecided_darts(Some(size), None).expect(size);

@@ -30,7 +30,7 @@ fn godet_wedges_and_slits_are_no_darts() {
     // Its sides are as long as the legs of the wedge, about 101.1 mm.
     let insert = insert.pair(0, "ENDBLK").0;
     let text = wedge_file().replacen("  0\nENDBLK\n", &format!("  0\nENDBLK\n{insert}"), 1);
-    let pattern = good(&text);
+    let pattern = good(&inserting(&text, "GODET"));
     assert!(pattern.pieces[0].darts.is_empty());
     assert_eq!(codes(&pattern.findings), ["wedge-not-a-dart"]);
     assert!(pattern.findings[0].message.contains("(150.0, 500.0) mm"));

@@ -79,6 +79,24 @@ fn inserts_in_blocks_again_and_from_behind() {
     assert_eq!(said(&behind), ["insert-mirrored"]);
 }
 
+/// Pieces that no INSERT places, and quantities that INSERTs and texts tell differently.
+#[test]
+fn inserts_that_are_missing_or_too_many() {
+    let other = |w: Writer| w.polyline("1", true, &RECTANGLE).text("1", "Piece Name: OTHER").text("1", "Size: 38");
+    let other = |w: Writer| other(w).line("7", (50.0, 50.0), (50.0, 400.0));
+    let lonely = and_block(&with(|w| w), &other(Writer::default().block("OTHER_38")));
+    assert_eq!(said(&lonely), ["block-not-inserted"]);
+    assert_eq!(good(&lonely).pieces.len(), 2, "it is read all the same");
+    let twice = |quantity: &str| {
+        let insert = |w: Writer| w.pair(0, "INSERT").pair(8, "1").pair(2, "FRONT_38");
+        let block = |w: Writer| w.polyline("1", true, &RECTANGLE).text("1", &format!("Quantity: {quantity}"));
+        file_with(block, |w| insert(w.text("1", "Units: METRIC")))
+    };
+    assert_eq!(said(&twice("2")), [] as [&str; 0]);
+    assert_eq!(said(&twice("1")), ["text-contradicts"]);
+    assert_eq!(said(&with(|w| w.text("1", "Quantity: 0"))), ["quantity-unclear"]);
+}
+
 #[test]
 fn blocks_in_blocks_without_end_are_refused_at_once() {
     let inner = |name: &str, of: &str| {
@@ -138,7 +156,8 @@ fn sizes_and_pieces_that_do_not_fit() {
         (base.clone(), block("BACK_36", "BACK", "36", &RECTANGLE), vec!["piece-lacks-size", "piece-lacks-size"]),
     ];
     for (text, more, expected) in cases {
-        assert_eq!(said(&and_block(&text, &more)), expected);
+        let name = more.0.lines().nth(5).expect("the name of the block").to_owned();
+        assert_eq!(said(&inserting(&and_block(&text, &more), &name)), expected);
     }
 }
 

@@ -91,6 +91,12 @@ fn file(body: impl Fn(Writer) -> Writer) -> String {
     file_with(body, |w| w.text("1", "Units: METRIC"))
 }
 
+/// The file with an INSERT of one more block.
+fn inserting(text: &str, block: &str) -> String {
+    let insert = Writer::default().pair(0, "INSERT").pair(8, "1").pair(2, block).0;
+    text.replacen("  0\nINSERT\n", &format!("{insert}  0\nINSERT\n"), 1)
+}
+
 fn good(text: &str) -> Pattern {
     read(text.as_bytes(), "t.dxf", &ReadOptions::default()).unwrap_or_else(|e| panic!("{e:?}"))
 }

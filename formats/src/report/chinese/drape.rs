@@ -33,6 +33,7 @@ pub const WORDS: &[Words] = &[
     ("seam-proposed", "此缝线由程序提出，尚无人确认。", "核对后在缝制文件中删去该缝线的 proposed。"),
     ("seam-eased", "缝线两边长度不同，差值在吃势范围内，较长的一边均匀归拢。", ""),
     ("seam-lengths-differ", "缝线两边长度差超过允许的吃势，且未声明吃势或抽褶。", "改正纸样，或声明 ease 或 gather。"),
+    ("seam-name-repeats", "两条缝线同名，报告和比较无法区分。", "给每条缝线单独的名称。"),
     ("seam-notches-differ", "缝线两边的剪口不对应；按长度缝合。", "检查缝合的边是否正确。"),
     (
         "seams-close-cloth",

@@ -44,6 +44,11 @@ pub const WORDS: &[Words] = &[
     ("block-missing", "INSERT 指定的块不在文件中，缺少一个裁片。", "重新导出。"),
     ("block-name-repeats", "两个块同名；都保留，以编号区分。", ""),
     ("block-not-closed", "块没有 ENDBLK，文件不完整或损坏。", "重新导出。"),
+    (
+        "block-not-inserted",
+        "有轮廓的块没有任何 INSERT 引用；仍作为裁片读取。",
+        "不需要的裁片用 import-dxf 的 pieces 略去。",
+    ),
     ("block-without-name", "块没有名称，无法引用。", "重新导出。"),
     ("block-without-outline", "块在轮廓图层 (1 或 14) 上没有内容，不是裁片，已略去。", "检查图层，或用 layers 对应。"),
     ("coordinate-missing", "顶点或点缺少 x 或 y，文件损坏。", "重新导出。"),

@@ -9,6 +9,7 @@ pub mod folds;
 mod names;
 mod undecided;
 
+use super::codes;
 use super::resolve::{elastic_side, find, placed};
 use super::shapes::{Shapes, shapes};
 use crate::codes::{PIECE_UNKNOWN, SEAM_PROPOSED};
@@ -40,6 +41,7 @@ pub fn apply_deciding(
 ) -> Result<(), StageError> {
     let mut errors = Vec::new();
     report.findings.extend(plan.seams.iter().filter_map(proposed));
+    report.findings.extend(names_that_repeat(&plan.seams));
     garment.plan = plan;
     leave_out(garment, report, &mut errors);
     // Drawn pieces first, so that copies inherit names and darts; then what is said of the copies themselves.
@@ -80,6 +82,19 @@ fn proposed(seam: &SeamSpec) -> Option<Diagnostic> {
     let message = format!("seam `{}` is proposed, {:.0} % sure", seam.name, 100.0 * share);
     let hint = "look at it, and remove `proposed` from it in the sewing file when it is right";
     Some(Diagnostic::info(SEAM_PROPOSED, message).at(seam.source.clone()).hint(hint))
+}
+
+/// Seams that have the name of an earlier one.
+fn names_that_repeat(seams: &[SeamSpec]) -> impl Iterator<Item = Diagnostic> {
+    let repeats = |(k, seam): (usize, &SeamSpec)| {
+        let first = seams[..k].iter().find(|s| s.name == seam.name)?;
+        let line =
+            first.source.as_ref().and_then(|s| s.line).map_or_else(String::new, |line| format!(" in line {line}"));
+        let message = format!("a seam{line} is called `{}`, too: reports cannot tell the two apart", seam.name);
+        let hint = "give every seam a name of its own";
+        Some(Diagnostic::warning(codes::SEAM_NAME_REPEATS, message).at(seam.source.clone()).hint(hint))
+    };
+    seams.iter().enumerate().filter_map(repeats)
 }
 
 /// Checks that all seams, attachments, elastic bands and interlinings are where they say.

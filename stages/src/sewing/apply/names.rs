@@ -66,6 +66,8 @@ fn is_leg(ring: &Ring, start: f64, end: f64) -> bool {
 /// Writes every piece name of the plan as the piece spells it, so that later stages find it by equality.
 pub fn canonical(garment: &mut Garment, errors: &mut Vec<Diagnostic>) {
     let mut plan = std::mem::take(&mut garment.plan);
+    // A piece that is missing may be one of these.
+    garment.plan.leave_out.clone_from(&plan.leave_out);
     let mut fix = |name: &mut String, at: Option<&SourceRef>| match lookup::piece(garment, name, at) {
         Ok(id) => name.clone_from(&garment.pieces[id.index()].name),
         Err(e) => errors.push(e),

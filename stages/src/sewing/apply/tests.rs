@@ -125,6 +125,21 @@ fn left_out_pieces_are_gone_and_renumbered() {
     assert_eq!(parameter_errors(apply(&mut garment, plan, &mut Report::default()))[0].code, "piece-unknown");
 }
 
+#[test]
+fn a_left_out_piece_that_is_sewn_and_a_name_of_two_seams_are_told() {
+    let pieces = vec![rectangle(0, "front", 50.0, 50.0), rectangle(1, "back", 50.0, 50.0)];
+    let garment = Garment { pieces, ..Garment::default() };
+    let seams = || vec![seam("side", edge("front", "1"), edge("back", "3"))];
+    let plan = SewingPlan { leave_out: vec!["BACK".into()], seams: seams(), ..SewingPlan::default() };
+    let errors = parameter_errors(apply(&mut garment.clone(), plan, &mut Report::default()));
+    assert_eq!((errors.len(), errors[0].message.as_str()), (1, "piece `back` is left out of the garment"));
+    let other = seam("side", edge("front", "3"), edge("back", "1"));
+    let plan = SewingPlan { seams: [seams(), vec![other]].concat(), ..SewingPlan::default() };
+    let mut report = Report::default();
+    apply(&mut garment.clone(), plan, &mut report).expect("plan");
+    assert_eq!(report.findings.iter().map(|f| f.code.as_str()).collect::<Vec<_>>(), ["seam-name-repeats"]);
+}
+
 /// A skirt with a wedge that a godet is sewn into.
 fn godet(seams: Vec<SeamSpec>) -> (Garment, Report) {
     let mut skirt = piece(
@@ -546,11 +561,11 @@ fn a_place_beyond_an_edge_is_told_with_length_and_notches() {
     for way in [EdgeWay::Length(0.2001), EdgeWay::Notch(3)] {
         let found = ends(&garment, &part("front", "1", at(way), before_end(EdgeWay::Share(0.0)))).expect_err("beyond");
         let hint = found.hint.clone().expect("hint");
-        assert_eq!(found.code, crate::sewing::codes::EDGE_PLACE_UNKNOWN);
+        assert_eq!(found.code, codes::EDGE_PLACE_UNKNOWN);
         assert_eq!(hint, "it is 200.0 mm long; its notches are at 60.0 mm, 150.0 mm from its start");
     }
     let same = ends(&garment, &part("front", "1", at(EdgeWay::Length(0.06)), at(EdgeWay::Notch(1))));
-    assert_eq!(same.expect_err("no length").code, crate::sewing::codes::RUN_WITHOUT_LENGTH);
+    assert_eq!(same.expect_err("no length").code, codes::RUN_WITHOUT_LENGTH);
 }
 
 fn in_line(line: u64) -> Option<SourceRef> {
