@@ -1,10 +1,12 @@
 //! The outputs of an earlier run in the same folder: they are gone before the work of a new one begins.
 //!
-//! A run that fails must not lie beside the results of last week.
+//! A run that fails must not lie beside the results of last week. While outputs go or take their names, their record
+//! stands under a name of its own. So the next run finds all of them, also when this one is killed.
 
 use super::gate::output_below;
 use super::outputs::{RECORD_NAME, write_error};
 use super::same::is_same;
+use super::whole::temp_path;
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 use toile_stage_api::FileError;
@@ -12,16 +14,20 @@ use toile_stage_api::FileError;
 /// Largest record that is read, bytes.
 const MAX_RECORD: u64 = 256 << 20;
 
+/// Name of a record whose outputs are about to go, or to take their names. No sweep removes it.
+pub(super) fn pending_record(root: &Path) -> PathBuf {
+    temp_path(root, "outputs")
+}
+
 /// The record of an earlier run.
 pub(super) struct Earlier {
     outputs: Vec<(String, String)>,
 }
 
 impl Earlier {
-    /// Reads the record in an output folder; `None` where there is none, or the file of this name is none of ours.
-    pub(super) fn read(root: &Path) -> Option<Self> {
-        let path = root.join(RECORD_NAME);
-        let bytes = super::files::read_limited(&path, &path, MAX_RECORD).ok()?;
+    /// Reads a record; `None` where there is none, or the file of this name is none of ours.
+    pub(super) fn read(path: &Path) -> Option<Self> {
+        let bytes = super::files::read_limited(path, path, MAX_RECORD).ok()?;
         let record: Value = serde_json::from_slice(&bytes).ok()?;
         record.get("toile")?;
         let text = |entry: &Value, key| entry.get(key).and_then(Value::as_str).map(str::to_owned);
@@ -34,18 +40,34 @@ impl Earlier {
         self.outputs.is_empty()
     }
 
-    /// Removes the record first, and then the outputs, those among `targets` too. What was changed since, or is an
-    /// input of the new run, stays. Gives the names of what was changed.
+    /// Outputs below the folder that are still there.
+    pub(super) fn still_there(&self, root: &Path) -> Vec<String> {
+        let is_there = |shown: &&String| output_below(Path::new(shown)).is_ok_and(|below| root.join(below).is_file());
+        self.outputs.iter().map(|(shown, _)| shown).filter(is_there).cloned().collect()
+    }
+
+    /// Removes the outputs of a folder's earlier runs, those among `targets` too, and their records. The record of a
+    /// run that was killed tells what that run had still to remove or to write. What was changed since, or is an input
+    /// of the new run, stays. Gives the names of what was changed.
     ///
     /// # Errors
     /// When the disk refuses.
-    pub(super) fn retire(
-        &self,
-        root: &Path,
-        targets: &[PathBuf],
-        inputs: &[PathBuf],
-    ) -> Result<Vec<String>, FileError> {
-        remove(&root.join(RECORD_NAME))?;
+    pub(super) fn retire_all(root: &Path, targets: &[PathBuf], inputs: &[PathBuf]) -> Result<Vec<String>, FileError> {
+        let (record, pending) = (root.join(RECORD_NAME), pending_record(root));
+        let mut changed = Vec::new();
+        for path in [&pending, &record] {
+            let Some(earlier) = Self::read(path) else { continue };
+            // The result is no longer whole from here on, so no record may say that it is.
+            if path != &pending {
+                std::fs::rename(path, &pending).map_err(|e| write_error(path, &e))?;
+            }
+            changed.extend(earlier.retire(root, targets, inputs)?);
+            remove(&pending)?;
+        }
+        Ok(changed)
+    }
+
+    fn retire(&self, root: &Path, targets: &[PathBuf], inputs: &[PathBuf]) -> Result<Vec<String>, FileError> {
         let mut changed = Vec::new();
         for (shown, digest) in &self.outputs {
             let own = output_below(Path::new(shown)).ok().map(|below| root.join(below));

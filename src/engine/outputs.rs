@@ -1,6 +1,6 @@
 //! Outputs appear under their final names only when the run is through, each of them whole.
 
-use super::earlier::Earlier;
+use super::earlier::{Earlier, pending_record};
 use super::gate::{clean, output_below, refused};
 use super::same::{is_same, refuse_input};
 use super::stop::Stop;
@@ -100,9 +100,7 @@ impl Outputs {
         if !self.force {
             return self.check_planned(folder);
         }
-        if let Some(earlier) = Earlier::read(&self.root) {
-            self.changed = earlier.retire(&self.root, &self.planned, &self.inputs)?;
-        }
+        self.changed = Earlier::retire_all(&self.root, &self.planned, &self.inputs)?;
         Ok(())
     }
 
@@ -148,9 +146,11 @@ impl Outputs {
         let outputs = self.planned.iter().filter(|target| **target != record && target.is_file());
         let mut there: Vec<String> = outputs.map(|target| self.shown(target)).collect();
         // The record of a run that wrote nothing may be replaced; any other file of that name is somebody's.
-        if record.exists() && Earlier::read(&self.root).is_none_or(|earlier| !earlier.is_empty()) {
+        if record.exists() && Earlier::read(&record).is_none_or(|earlier| !earlier.is_empty()) {
             there.push(RECORD_NAME.to_owned());
         }
+        let killed = Earlier::read(&pending_record(&self.root));
+        there.extend(killed.into_iter().flat_map(|run| run.still_there(&self.root)));
         if there.is_empty() {
             return Ok(());
         }
@@ -220,7 +220,8 @@ impl Outputs {
     }
 
     /// Gives all staged files their final names, and the record last: who finds the record finds the rest. The record
-    /// is safe on the disk before the first output takes its name. Where one cannot, none of them has.
+    /// is safe on the disk before the first output takes its name, so that the next run finds the outputs of a killed
+    /// one. Where one cannot take its name, none of them has.
     ///
     /// # Errors
     /// When the disk refuses.
@@ -228,9 +229,13 @@ impl Outputs {
         let stop = Arc::clone(&self.stop);
         let _whole = stop.commit_guard();
         let failed = |e| write_error(Path::new(RECORD_NAME), &e);
-        let mut kept = Temp::write(&self.root.join(RECORD_NAME), record).map_err(failed)?;
-        self.name_all()?;
-        kept.name().map_err(failed)?;
+        let pending = pending_record(&self.root);
+        Temp::write(&pending, record).and_then(|mut kept| kept.name()).map_err(failed)?;
+        if let Err(error) = self.name_all() {
+            drop(std::fs::remove_file(&pending));
+            return Err(error);
+        }
+        std::fs::rename(&pending, self.root.join(RECORD_NAME)).map_err(failed)?;
         sync_folder(&self.root);
         self.stop.set_last_words(None);
         self.staged.clear();

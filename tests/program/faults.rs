@@ -112,6 +112,25 @@ fn kills_at_many_moments_leave_whole_files_only() {
     assert_eq!(bench.left(), ["0.txt", "1.txt", "2.txt", "3.txt", "run.json"]);
 }
 
+/// A run was killed while its outputs went or took their names: the folder holds a part of them, and no record.
+#[test]
+fn what_a_killed_run_left_by_name_is_gone_after_the_next() {
+    let write = |name: &str| {
+        format!("[[stage]]\nuse = \"test-write\"\nwith = {{ file = \"{{out}}/{name}.txt\", text = \"x\" }}\n")
+    };
+    let bench = Bench::new();
+    assert_eq!(bench.stages(&["a", "b", "c"].map(write).concat()).run(&[]).code, 0);
+    let (record, pending) = (bench.out().join("run.json"), bench.out().join(".outputs.tmp-toile"));
+    std::fs::rename(record, &pending).expect("file");
+    std::fs::remove_file(bench.out().join("a.txt")).expect("file");
+    std::fs::write(bench.out().join("c.txt"), "mine").expect("file");
+    let said = bench.stages(&write("d")).run(&[]);
+    assert_eq!(said.code, 2, "{said:?}");
+    assert_eq!(bench.left(), [".outputs.tmp-toile", "b.txt", "c.txt"]);
+    assert_eq!(bench.run(&["--force"]).code, 0);
+    assert_eq!(bench.left(), ["c.txt", "d.txt", "run.json"]);
+}
+
 #[test]
 fn four_at_once_do_not_spoil_each_other() {
     let bench = Bench::new();
