@@ -53,21 +53,26 @@ impl Earlier {
     /// # Errors
     /// When the disk refuses.
     pub(super) fn retire_all(root: &Path, targets: &[PathBuf], inputs: &[PathBuf]) -> Result<Vec<String>, FileError> {
-        let (record, pending) = (root.join(RECORD_NAME), pending_record(root));
-        let mut changed = Vec::new();
-        for path in [&pending, &record] {
-            let Some(earlier) = Self::read(path) else { continue };
+        let record = root.join(RECORD_NAME);
+        let mut changed = Self::retire_pending(root, targets, inputs)?;
+        if Self::read(&record).is_some() {
             // The result is no longer whole from here on, so no record may say that it is.
-            if path != &pending {
-                std::fs::rename(path, &pending).map_err(|e| write_error(path, &e))?;
-            }
-            changed.extend(earlier.retire(root, targets, inputs)?);
-            remove(&pending)?;
+            std::fs::rename(&record, pending_record(root)).map_err(|e| write_error(&record, &e))?;
+            changed.extend(Self::retire_pending(root, targets, inputs)?);
         }
         Ok(changed)
     }
 
-    fn retire(&self, root: &Path, targets: &[PathBuf], inputs: &[PathBuf]) -> Result<Vec<String>, FileError> {
+    /// Removes the outputs that the pending record names, and then that record.
+    fn retire_pending(root: &Path, targets: &[PathBuf], inputs: &[PathBuf]) -> Result<Vec<String>, FileError> {
+        let pending = pending_record(root);
+        let Some(earlier) = Self::read(&pending) else { return Ok(Vec::new()) };
+        let changed = earlier.remove_outputs(root, targets, inputs)?;
+        remove(&pending)?;
+        Ok(changed)
+    }
+
+    fn remove_outputs(&self, root: &Path, targets: &[PathBuf], inputs: &[PathBuf]) -> Result<Vec<String>, FileError> {
         let mut changed = Vec::new();
         for (shown, digest) in &self.outputs {
             let own = output_below(Path::new(shown)).ok().map(|below| root.join(below));

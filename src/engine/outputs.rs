@@ -59,7 +59,7 @@ pub struct Outputs {
 
 impl Outputs {
     /// Makes and locks the folder and sweeps old temporaries. Checks that there is space, that no output is an input,
-    /// and that no output is there yet. With `force` the outputs of an earlier run go instead, its record first.
+    /// and that no output is there yet. With `force` the outputs of an earlier run go instead.
     ///
     /// # Errors
     /// [`FileError::Refused`] when files are there and `force` is not given, an output is an input, or another run uses

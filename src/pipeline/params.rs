@@ -12,8 +12,8 @@ use toile_stage_api::{AnyStage, ReadyStage};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue, ValueDeserializer};
 
-/// Parses the parameters; all mistakes are in the report. Wrong ones are left out, so that what the others say is looked
-/// at, too. `None` when that is not possible: a parameter is missing, or one that is a file is wrong.
+/// Parses the parameters; all mistakes are in the report. Wrong ones are left out, so that what the others say is
+/// looked at, too. `None` when that is not possible: a parameter is missing, or one that is a file is wrong.
 pub(super) fn configure<'r>(
     cx: &mut Reader<'_>,
     stage: &'r dyn AnyStage,
@@ -85,19 +85,16 @@ fn report_error(cx: &mut Reader<'_>, message: &str, span: &Range<usize>, schema:
     cx.push(code_of(message), span, format!("`{owner}`: {message}"), hint);
 }
 
-/// The parser's words with those of a programmer exchanged for those of a user.
+/// The parser's message, with the names of Rust's types put into plain words.
 fn in_plain_words(message: &str) -> String {
-    const WORDS: [(&str, &str); 8] = [
-        ("expected u8", "expected a whole number"),
-        ("expected u16", "expected a whole number"),
-        ("expected u32", "expected a whole number"),
-        ("expected u64", "expected a whole number"),
-        ("expected usize", "expected a whole number"),
-        ("expected f64", "expected a number"),
-        ("invalid type: string", "invalid type: the text"),
-        ("expected a boolean", "expected true or false"),
-    ];
-    WORDS.iter().fold(message.to_owned(), |said, (word, plain)| said.replace(word, plain))
+    const WHOLE_NUMBERS: [&str; 5] = ["u8", "u16", "u32", "u64", "usize"];
+    let whole = WHOLE_NUMBERS
+        .iter()
+        .fold(message.to_owned(), |said, kind| said.replace(&format!("expected {kind}"), "expected a whole number"));
+    whole
+        .replace("expected f64", "expected a number")
+        .replace("expected a boolean", "expected true or false")
+        .replace("invalid type: string", "invalid type: the text")
 }
 
 /// The finding of a value that a parser refused in these words, outside a pipeline.

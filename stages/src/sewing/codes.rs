@@ -5,8 +5,8 @@ use toile_garment::Code;
 codes! {
     pub(crate) list CODES;
 
-    /// The drawing left a wedge undecided, and the seams close it: they bring its mouth or its legs together. It was made
-    /// a dart.
+    /// The drawing left a wedge undecided, and the seams close it: they bring its mouth or its legs together. It was
+    /// made a dart.
     DART_BY_SEAMS = "dart-by-seams";
 
     /// The mouth of a dart does not lie on the outline of its piece, so the dart cannot be sewn. Exit code 3.
@@ -21,16 +21,16 @@ codes! {
     /// Two darts share a part of the outline. Deny one with kind = "none". Exit code 3.
     DARTS_OVERLAP = "darts-overlap";
 
-    /// An apex of a declared dart or pleat lies outside the cloth of its piece. Give the point in the coordinates of the
-    /// piece. Exit code 2.
+    /// An apex of a declared dart or pleat lies outside the cloth of its piece. Give the point in the coordinates of
+    /// the piece. Exit code 2.
     DART_OFF_CLOTH = "dart-off-cloth";
 
     /// Edges of one name do not follow one another, so they are no run. Name them apart, or give two points.
     /// Exit code 2.
     EDGE_NAME_SCATTERED = "edge-name-scattered";
 
-    /// A part of an edge is to begin or end where the edge has no such place: beyond its length, or at a notch that it does
-    /// not have. The message tells length and notches. Exit code 2.
+    /// A part of an edge is to begin or end where the edge has no such place: beyond its length, or at a notch that it
+    /// does not have. The message tells length and notches. Exit code 2.
     EDGE_PLACE_UNKNOWN = "edge-place-unknown";
 
     /// The name fits two pieces but for upper and lower case. Write it as the pattern does. Exit code 2.
@@ -84,8 +84,8 @@ codes! {
     /// A side of a seam has no length once the darts in it are sewn. Exit code 2.
     SEAM_WITHOUT_LENGTH = "seam-without-length";
 
-    /// Two tables of the sewing file speak of one piece, edge, dart or line, and only one of them could hold. The message
-    /// tells the line of the other. Remove one. Exit code 2.
+    /// Two tables of the sewing file speak of one piece, edge, dart or line, and only one of them could hold. The
+    /// message tells the line of the other. Remove one. Exit code 2.
     TABLES_CONTRADICT = "tables-contradict";
 
     /// A seam uses the edges of a wedge that was taken for a dart, so it is none.

@@ -25,7 +25,8 @@ codes! {
     INSERT_REPEATED = "insert-repeated";
 
     /// Short lines on layers 2 or 3, or circles on layer 2, were read as notches and drill holes, and closed lines on
-    /// layer 8 as sew lines, as some programs draw them. The standards have points on layers 2 and 3, and sew lines on 14.
+    /// layer 8 as sew lines, as some programs draw them. The standards have points on layers 2 and 3, and sew lines on
+    /// 14.
     LAYER_FOREIGN = "layer-foreign";
 
     /// `layers` of `import-dxf` names a layer that the file does not have, so this line of the table does nothing. The
@@ -46,8 +47,8 @@ codes! {
     /// for; `toile inspect` shows them with their faults.
     PIECES_REFUSED = "pieces-refused";
 
-    /// A flat drawing has an upright rectangle round pieces that fill it, or round texts of the sheet. It was taken for a
-    /// plot frame or a title block and left out. If it is a piece, export every piece as a block of its own.
+    /// A flat drawing has an upright rectangle round pieces that fill it, or round texts of the sheet. It was taken for
+    /// a plot frame or a title block and left out. If it is a piece, export every piece as a block of its own.
     PLOT_FRAME_LEFT_OUT = "plot-frame-left-out";
 
     /// A flat drawing has an upright rectangle round other closed lines or texts, and nothing says whether it is a plot
